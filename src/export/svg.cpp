@@ -1,0 +1,3 @@
+#include "export/svg.h"
+#include "inkgrid/inkgrid.h"
+namespace inkgrid { std::string svg_text(const Drawing&, const std::string&) { throw Error(ErrorCode::numerics, "not built yet"); } }

@@ -1,0 +1,26 @@
+// What:   which of the two directions of its frame the stroke follows, for each triangle on ink.
+// Source: section 6.1, "Orientation labeling".
+// Cost:   a streamline of some stroke widths for each triangle on ink.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "charts.h"
+
+namespace inkgrid {
+
+enum class Label : std::uint8_t {
+  none,     // off the ink, or undecided
+  along_s,  // the stroke runs along s: v is constant on it, and v is what snaps
+  along_t,  // the stroke runs along t: u is constant on it, and u is what snaps
+};
+
+struct LabelOptions {
+  double length = 4;    // of a streamline, strokes
+  double ratio = 0.48;  // above it the triangle stays unlabelled
+};
+
+std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options);
+
+}  // namespace inkgrid

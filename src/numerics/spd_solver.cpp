@@ -1,0 +1,1 @@
+#include "numerics/spd_solver.h"

@@ -1,0 +1,1 @@
+#include "inkgrid/options.h"

@@ -1,0 +1,50 @@
+// Small drawings for tests, painted with round-capped strokes and antialiased by the exact distance to the stroke.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "inkgrid/image.h"
+#include "inkgrid/vec2.h"
+
+namespace inkgrid::testing {
+
+inline Image blank(int width, int height, std::uint8_t grey = 255) {
+  return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), grey), 0};
+}
+
+inline double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const double t = norm2(b - a) > 0 ? std::clamp(dot(p - a, b - a) / norm2(b - a), 0.0, 1.0) : 0.0;
+  return norm(p - lerp(a, b, t));
+}
+
+// Darkens the image along the polyline; `width` in px.
+inline void paint(Image& image, const std::vector<Vec2>& line, double width, double grey = 0) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 a = line[i], b = line[i + 1];
+    const double r = width / 2 + 1;
+    const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - r)), x1 = std::min(image.width - 1, static_cast<int>(std::max(a.x, b.x) + r));
+    const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - r)), y1 = std::min(image.height - 1, static_cast<int>(std::max(a.y, b.y) + r));
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) {
+        const double cover = std::clamp(width / 2 + 0.5 - distance_to_segment({x + 0.5, y + 0.5}, a, b), 0.0, 1.0);
+        auto& g = image.grey[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
+        g = static_cast<std::uint8_t>(std::min<double>(g, std::lround(255 - (255 - grey) * cover)));
+      }
+  }
+}
+
+inline std::vector<Vec2> arc(Vec2 centre, double radius, double from, double to, int steps = 200) {
+  std::vector<Vec2> line;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = from + (to - from) * i / steps;
+    line.push_back(centre + radius * Vec2{std::cos(a), std::sin(a)});
+  }
+  return line;
+}
+
+inline std::vector<Vec2> circle(Vec2 centre, double radius) { return arc(centre, radius, 0, 2 * std::numbers::pi); }
+
+}  // namespace inkgrid::testing
