@@ -1,2 +1,177 @@
+// What:   one drawing function a stage, and the table that names their files.
+// Source: the figures of sections 5 and 6.
+// Cost:   linear in what the stages made.
 #include "stage_pictures.h"
-namespace inkgrid { void write_stage_pictures(const std::string&, const Image&, const Stages&) { throw Error(ErrorCode::numerics, "not built yet"); } }
+
+#include <array>
+#include <filesystem>
+
+#include "pictures/canvas.h"
+#include "pictures/streamlines.h"
+
+namespace inkgrid {
+
+namespace {
+
+constexpr Colour kInk{0x2b5fa8}, kCentre{0xffc83d}, kMark{0x111111}, kFree{0xd81b60}, kJunction{0xe02020};
+constexpr Colour kBand{0x4f7f9f, 0.6}, kBandOnInk{0x8fc1e3, 0.5};
+constexpr Colour kAlongS{0x1a9850}, kAlongT{0x7b3fb5}, kUnlabelled{0xb0b0b0}, kCut{0xff8c00};
+constexpr Colour kIsolineU{0xd7301f}, kIsolineV{0x2166ac}, kBoundaryNode{0x888888};
+constexpr Colour kHandle{0x777777}, kControl{0x0a7d5c};
+
+constexpr float kNearCentre = 0.2F;  // 0..1
+
+// Distinct on light paper; chains and curves take them in turn.
+constexpr std::array<Colour, 10> kTurns{
+    {{0x1f77b4}, {0xe6550d}, {0x2ca02c}, {0x9467bd}, {0x8c564b}, {0xd6279f}, {0x17a2b8}, {0x7f7f00}, {0x3949ab}, {0xc62828}}};
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+Colour in_turn(std::size_t i) {
+  return kTurns[i % kTurns.size()];
+}
+
+template <class Draw>
+void each_triangle(const BandMesh& mesh, Draw draw) {
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.faces[at(f)];
+    draw(f, mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
+  }
+}
+
+// Every edge once, by the smaller of its halfedges; `draw` gets that halfedge.
+template <class Draw>
+void each_edge(const BandMesh& mesh, Draw draw) {
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.twins[at(h)] >= 0 && mesh.twins[at(h)] < h) continue;
+    const int next = next_halfedge(h);
+    draw(h, mesh.points[at(mesh.faces[at(face_of(h))][at(h % 3)])], mesh.points[at(mesh.faces[at(face_of(next))][at(next % 3)])]);
+  }
+}
+
+// The mask, its centre line as equation (3) sees it, and a disc as wide as the measured stroke in the corner.
+void draw_ink(Canvas& canvas, const Stages& stages) {
+  const Ink& ink = stages.ink;
+  canvas.pixels(ink.mask, kInk);
+  Raster<std::uint8_t> centre(ink.mask.width, ink.mask.height);
+  for (std::size_t i = 0; i < centre.data.size(); ++i)
+    centre.data[i] = ink.mask.data[i] && ink.centre_distance.data[i] < kNearCentre;
+  canvas.pixels(centre, kCentre);
+  if (ink.stroke_width > 0) canvas.disc({ink.stroke_width, ink.stroke_width}, canvas.scale() * ink.stroke_width / 2, kJunction);
+}
+
+void draw_band(Canvas& canvas, const Stages& stages) {
+  each_triangle(stages.mesh, [&](int f, Vec2 a, Vec2 b, Vec2 c) {
+    if (stages.mesh.on_ink[at(f)]) canvas.triangle(a, b, c, kBandOnInk);
+  });
+  each_edge(stages.mesh, [&](int h, Vec2 a, Vec2 b) {
+    const bool boundary = stages.mesh.twins[at(h)] < 0;
+    canvas.line(a, b, boundary ? 1.6 : 0.6, boundary ? kMark : kBand);
+  });
+}
+
+void draw_field(Canvas& canvas, const Stages& stages) {
+  const double stroke_width = stages.ink.stroke_width;
+  const StreamlineOptions options{2 * stroke_width, 0.4 * stroke_width};
+  for (const Streamline& line : spread_streamlines(stages.mesh, stages.charts, options))
+    canvas.polyline(line.points, 1.1, line.along_s ? kAlongS : kAlongT);
+}
+
+void draw_labels(Canvas& canvas, const Stages& stages) {
+  const BandMesh& mesh = stages.mesh;
+  each_triangle(mesh, [&](int f, Vec2 a, Vec2 b, Vec2 c) {
+    const Label label = stages.labels[at(f)];
+    const double alpha = mesh.on_ink[at(f)] ? 0.75 : 0.3;
+    canvas.triangle(a, b, c, {(label == Label::along_s ? kAlongS : label == Label::along_t ? kAlongT : kUnlabelled).rgb, alpha});
+  });
+  each_edge(mesh, [&](int h, Vec2 a, Vec2 b) {
+    if (stages.charts.cut[at(h)]) canvas.line(a, b, 4, kCut);
+  });
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (stages.charts.singular[at(v)]) canvas.disc(mesh.points[at(v)], 6, kJunction);
+}
+
+// An edge in runs of one family: a transition may turn u into v on the way.
+void draw_isoline(Canvas& canvas, const GraphEdge& edge) {
+  for (std::size_t begin = 0; begin < edge.family.size();) {
+    std::size_t end = begin;
+    while (end < edge.family.size() && edge.family[end] == edge.family[begin]) ++end;
+    canvas.polyline(std::span(edge.path).subspan(begin, end - begin + 1), 2, edge.family[begin] ? kIsolineV : kIsolineU);
+    begin = end;
+  }
+}
+
+void draw_grid(Canvas& canvas, const Stages& stages) {
+  for (const GraphEdge& edge : stages.graph.edges) draw_isoline(canvas, edge);
+  for (const GraphNode& node : stages.graph.nodes) switch (node.kind) {
+      case NodeKind::grid:
+        canvas.disc(node.position, 3, kMark);
+        break;
+      case NodeKind::singular:
+        canvas.disc(node.position, 6, kJunction);
+        break;
+      case NodeKind::boundary:
+        canvas.disc(node.position, 1.5, kBoundaryNode);
+        break;
+    }
+}
+
+void draw_chains(Canvas& canvas, const Stages& stages) {
+  const Chains& chains = stages.chains;
+  for (std::size_t i = 0; i < chains.chains.size(); ++i) canvas.polyline(chains.chains[i].points, 2.5, in_turn(i));
+  for (const Chain& chain : chains.chains) {
+    if (chain.closed || chain.points.empty()) continue;
+    if (chain.start_junction < 0) canvas.ring(chain.points.front(), 5, 2, kFree);
+    if (chain.end_junction < 0) canvas.ring(chain.points.back(), 5, 2, kFree);
+  }
+  for (const Vec2 junction : chains.junctions) canvas.disc(junction, 4.5, kJunction);
+}
+
+void draw_handles(Canvas& canvas, const Cubic& cubic) {
+  canvas.line(cubic.p0, cubic.p1, 0.8, kHandle);
+  canvas.line(cubic.p3, cubic.p2, 0.8, kHandle);
+  canvas.square(cubic.p1, 2, kControl);
+  canvas.square(cubic.p2, 2, kControl);
+}
+
+void draw_curves(Canvas& canvas, const Stages& stages) {
+  const Drawing& drawing = stages.drawing;
+  for (std::size_t i = 0; i < drawing.curves.size(); ++i) canvas.curve(drawing.curves[i], 2.5, in_turn(i));
+  for (const Curve& curve : drawing.curves)
+    for (const Cubic& cubic : curve.segments) {
+      draw_handles(canvas, cubic);
+      canvas.disc(cubic.p3, 2.5, kMark);
+    }
+  for (const Curve& curve : drawing.curves) {
+    if (curve.closed || curve.segments.empty()) continue;
+    if (curve.start_junction < 0) canvas.ring(curve.segments.front().p0, 5, 2, kFree);
+    if (curve.end_junction < 0) canvas.ring(curve.segments.back().p3, 5, 2, kFree);
+  }
+  for (const Vec2 junction : drawing.junctions) canvas.disc(junction, 4.5, kJunction);
+}
+
+struct StagePicture {
+  const char* file;
+  void (*draw)(Canvas&, const Stages&);
+};
+
+constexpr StagePicture kPictures[] = {
+    {"1-ink.png", draw_ink},   {"2-band.png", draw_band},     {"3-field.png", draw_field},   {"4-labels.png", draw_labels},
+    {"5-grid.png", draw_grid}, {"6-chains.png", draw_chains}, {"7-curves.png", draw_curves},
+};
+
+}  // namespace
+
+void write_stage_pictures(const std::string& directory, const Image& image, const Stages& stages) {
+  std::error_code failure;
+  std::filesystem::create_directories(directory, failure);
+  if (failure) throw Error(ErrorCode::file, "The directory '" + directory + "' for stage pictures cannot be made.");
+  for (const StagePicture& picture : kPictures) {
+    Canvas canvas(image, stages.ink.inverted);
+    picture.draw(canvas, stages);
+    canvas.write_png((std::filesystem::path(directory) / picture.file).string());
+  }
+}
+
+}  // namespace inkgrid
