@@ -1,3 +1,318 @@
 #include "band_mesh.h"
-#include "inkgrid/inkgrid.h"
-namespace inkgrid { BandMesh build_band(const Ink&, const ScaleMask*, const BandOptions&) { throw Error(ErrorCode::numerics, "not built yet"); } }
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/sample.h"
+#include "base/union_find.h"
+
+namespace inkgrid {
+namespace {
+
+// The lattice is turned by this angle (radians), so that no drawing is aligned with it.
+constexpr double kLatticeTurn = 0.2617 * std::numbers::sqrt2;
+
+// A lattice point as multiples of the two lattice directions.
+struct LatticePoint {
+  int i;
+  int j;
+  friend bool operator==(LatticePoint a, LatticePoint b) { return a.i == b.i && a.j == b.j; }
+  friend bool operator<(LatticePoint a, LatticePoint b) { return a.j != b.j ? a.j < b.j : a.i < b.i; }
+};
+
+using LatticeTriangle = std::array<LatticePoint, 3>;
+
+// Equilateral; the triangle at level n has sides of 2^n units.
+struct Lattice {
+  Vec2 along;
+  Vec2 across;
+
+  explicit Lattice(double side)
+      : along(side * Vec2{std::cos(kLatticeTurn), std::sin(kLatticeTurn)}),
+        across(along * Vec2{std::cos(std::numbers::pi / 3), std::sin(std::numbers::pi / 3)}) {}
+
+  Vec2 at(LatticePoint p) const { return p.i * along + p.j * across; }
+  // Lattice coordinates of a point, not rounded.
+  Vec2 coordinates(Vec2 p) const {
+    const double d = cross(along, across);
+    return {cross(p, across) / d, cross(along, p) / d};
+  }
+  Vec2 barycentre(const LatticeTriangle& t) const { return (at(t[0]) + at(t[1]) + at(t[2])) / 3; }
+};
+
+LatticePoint midpoint(LatticePoint a, LatticePoint b) {
+  return {(a.i + b.i) / 2, (a.j + b.j) / 2};
+}
+
+double mask_factor(const ScaleMask* mask, Vec2 p) {
+  if (!mask) return 1;
+  const int x = std::clamp(static_cast<int>(p.x), 0, mask->width - 1), y = std::clamp(static_cast<int>(p.y), 0, mask->height - 1);
+  return static_cast<double>(
+      mask->factor[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask->width) + static_cast<std::size_t>(x)]);
+}
+
+// Which triangles the band needs, and how fine.
+class Refinement {
+ public:
+  Refinement(const Ink& ink, const ScaleMask* mask, const BandOptions& options) : ink_(ink), mask_(mask), options_(options) {
+    const auto [low, high] = mask ? std::minmax_element(mask->factor.begin(), mask->factor.end())
+                                  : std::pair<std::vector<float>::const_iterator, std::vector<float>::const_iterator>{};
+    const double finest = mask ? std::min(1.0, static_cast<double>(*low)) : 1,
+                 coarsest = mask ? std::max(1.0, static_cast<double>(*high)) : 1;
+    levels_ = static_cast<int>(std::ceil(std::log2(coarsest / finest) - 1e-9));
+    // Circumdiameter of an equilateral triangle: 2 / sqrt(3) sides.
+    side_ = finest * options.mesh_size * ink.stroke_width * std::numbers::sqrt3 / 2;
+    finest_ = finest;
+  }
+
+  double side() const { return side_; }
+
+  // The triangles of the lattice whose barycentre is within reach, with hanging points on their sides closed by bisection.
+  std::vector<LatticeTriangle> triangles() const {
+    const Lattice lattice(side_);
+    std::vector<LatticeTriangle> leaves;
+    for_each_root(lattice, [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, leaves); });
+    if (levels_ > 0) leaves = conforming(leaves);
+    std::erase_if(leaves, [&](const LatticeTriangle& t) { return !in_band(lattice.barycentre(t)); });
+    return leaves;
+  }
+
+  bool in_band(Vec2 p) const {
+    if (p.x < 0 || p.y < 0 || p.x > ink_.width() || p.y > ink_.height()) return false;
+    if (nearest(ink_.mask, p, std::uint8_t{0})) return true;
+    return bilinear(ink_.gap, p) < options_.reach * ink_.stroke_width * mask_factor(mask_, p);
+  }
+
+ private:
+  template <class Visit>
+  void for_each_root(const Lattice& lattice, Visit visit) const {
+    const int step = 1 << levels_;
+    const double w = ink_.width(), h = ink_.height();
+    Vec2 low{1e30, 1e30}, high{-1e30, -1e30};
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{w, 0}, Vec2{0, h}, Vec2{w, h}}) {
+      const Vec2 c = lattice.coordinates(corner);
+      low = {std::min(low.x, c.x), std::min(low.y, c.y)};
+      high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+    }
+    const auto floor_step = [&](double v) { return static_cast<int>(std::floor(v / step)) * step; };
+    for (int j = floor_step(low.y) - step; j <= high.y; j += step) {
+      // Only the part of the row that meets the image, with a margin of some cells.
+      double first = high.x, last = low.x;
+      for (const int jj : {j, j + step})
+        for (const double y : {0.0, h}) {
+          const double i = (y - jj * lattice.across.y) / lattice.along.y;
+          first = std::min(first, i);
+          last = std::max(last, i);
+        }
+      const double margin = 3.0 * step;
+      double left = low.x, right = high.x;
+      left = std::max(left, first - margin);
+      right = std::min(right, last + margin);
+      for (int i = floor_step(left) - step; i <= right; i += step) {
+        visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
+        visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
+      }
+    }
+  }
+
+  // Largest mask factor allowed for a triangle of this level (its side is 2^level finest sides).
+  bool fine_enough(const Lattice& lattice, const LatticeTriangle& t, int level) const {
+    const double factor = finest_ * (1 << level) - 1e-9;
+    double smallest = mask_factor(mask_, lattice.barycentre(t));
+    for (const auto& p : t) smallest = std::min(smallest, mask_factor(mask_, lattice.at(p)));
+    return factor <= smallest;
+  }
+
+  void split_where_needed(const Lattice& lattice, const LatticeTriangle& t, int level, std::vector<LatticeTriangle>& out) const {
+    if (!near_band(lattice.barycentre(t), side_ * (1 << level))) return;
+    if (level == 0 || fine_enough(lattice, t, level)) {
+      out.push_back(t);
+      return;
+    }
+    for (const auto& child : quartered(t)) split_where_needed(lattice, child, level - 1, out);
+  }
+
+  bool near_band(Vec2 p, double margin) const {
+    const double largest = mask_ ? finest_ * (1 << levels_) : 1;
+    return bilinear(ink_.gap, p) <= options_.reach * ink_.stroke_width * largest + 4 * margin;
+  }
+
+  static std::array<LatticeTriangle, 4> quartered(const LatticeTriangle& t) {
+    const auto ab = midpoint(t[0], t[1]), bc = midpoint(t[1], t[2]), ca = midpoint(t[2], t[0]);
+    return {LatticeTriangle{t[0], ab, ca}, LatticeTriangle{ab, t[1], bc}, LatticeTriangle{ca, bc, t[2]},
+            LatticeTriangle{ab, bc, ca}};
+  }
+
+  // Splits triangles with hanging points: three, two quarters ("red"), one a bisection ("green").
+  std::vector<LatticeTriangle> conforming(std::vector<LatticeTriangle> leaves) const {
+    for (;;) {
+      std::vector<LatticePoint> used;
+      for (const auto& t : leaves) used.insert(used.end(), t.begin(), t.end());
+      std::sort(used.begin(), used.end());
+      used.erase(std::unique(used.begin(), used.end()), used.end());
+      const auto hanging = [&](LatticePoint a, LatticePoint b) {
+        if ((a.i + b.i) % 2 != 0 || (a.j + b.j) % 2 != 0) return false;
+        return std::binary_search(used.begin(), used.end(), midpoint(a, b));
+      };
+      // A side with points at its quarters too must come from a triangle that is split first.
+      const auto deep = [&](LatticePoint a, LatticePoint b) {
+        if (!hanging(a, b)) return false;
+        const auto m = midpoint(a, b);
+        return hanging(a, m) || hanging(m, b);
+      };
+      std::vector<LatticeTriangle> next;
+      bool red = false;
+      for (const auto& t : leaves) {
+        const int sides = hanging(t[0], t[1]) + hanging(t[1], t[2]) + hanging(t[2], t[0]);
+        if (sides >= 2 || deep(t[0], t[1]) || deep(t[1], t[2]) || deep(t[2], t[0])) {
+          for (const auto& child : quartered(t)) next.push_back(child);
+          red = true;
+        } else {
+          next.push_back(t);
+        }
+      }
+      leaves = std::move(next);
+      if (red) continue;
+      next.clear();
+      for (const auto& t : leaves) bisect_hanging(t, hanging, next);
+      return next;
+    }
+  }
+
+  template <class Hanging>
+  static void bisect_hanging(const LatticeTriangle& t, const Hanging& hanging, std::vector<LatticeTriangle>& out) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+      if (!hanging(a, b)) continue;
+      const auto m = midpoint(a, b);
+      out.push_back({a, m, c});
+      out.push_back({m, b, c});
+      return;
+    }
+    out.push_back(t);
+  }
+
+  const Ink& ink_;
+  const ScaleMask* mask_;
+  const BandOptions& options_;
+  int levels_ = 0;
+  double side_ = 1;
+  double finest_ = 1;
+};
+
+// Numbers the lattice points that are used, in lattice order.
+void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice& lattice, BandMesh& mesh) {
+  std::vector<LatticePoint> used;
+  used.reserve(3 * triangles.size());
+  for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  mesh.points.reserve(used.size());
+  for (const auto p : used) mesh.points.push_back(lattice.at(p));
+  mesh.faces.reserve(triangles.size());
+  for (const auto& t : triangles) {
+    std::array<int, 3> face;
+    for (std::size_t k = 0; k < 3; ++k)
+      face[k] = static_cast<int>(std::lower_bound(used.begin(), used.end(), t[k]) - used.begin());
+    mesh.faces.push_back(face);
+  }
+}
+
+void link_twins(BandMesh& mesh) {
+  struct Side {
+    int low, high, halfedge;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.faces.size());
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    const auto& t = mesh.faces[static_cast<std::size_t>(face_of(h))];
+    const int a = t[static_cast<std::size_t>(h % 3)], b = t[static_cast<std::size_t>((h + 1) % 3)];
+    sides.push_back({std::min(a, b), std::max(a, b), h});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    if (x.low != y.low) return x.low < y.low;
+    return x.high != y.high ? x.high < y.high : x.halfedge < y.halfedge;
+  });
+  mesh.twins.assign(3 * mesh.faces.size(), -1);
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+    if (sides[k].low != sides[k + 1].low || sides[k].high != sides[k + 1].high) continue;
+    mesh.twins[static_cast<std::size_t>(sides[k].halfedge)] = sides[k + 1].halfedge;
+    mesh.twins[static_cast<std::size_t>(sides[k + 1].halfedge)] = sides[k].halfedge;
+  }
+}
+
+// Gives each fan of faces around a point a vertex of its own.
+void split_touching_vertices(BandMesh& mesh) {
+  UnionFind fans(3 * mesh.face_count());
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    const int twin = mesh.twins[static_cast<std::size_t>(h)];
+    if (twin < 0) continue;
+    fans.unite(h, next_halfedge(twin));
+    fans.unite(next_halfedge(h), twin);
+  }
+  std::vector<int> fan_of_point(mesh.points.size(), -1);
+  std::vector<int> vertex_of_fan(3 * mesh.faces.size(), -1);
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    int& vertex = mesh.faces[static_cast<std::size_t>(face_of(h))][static_cast<std::size_t>(h % 3)];
+    const int fan = fans.find(h);
+    int& assigned = vertex_of_fan[static_cast<std::size_t>(fan)];
+    if (assigned < 0) {
+      int& first = fan_of_point[static_cast<std::size_t>(vertex)];
+      if (first < 0) {
+        first = fan;
+        assigned = vertex;
+      } else {
+        assigned = mesh.vertex_count();
+        mesh.points.push_back(mesh.points[static_cast<std::size_t>(vertex)]);
+        fan_of_point.push_back(fan);
+      }
+    }
+    vertex = assigned;
+  }
+}
+
+void number_components(BandMesh& mesh) {
+  UnionFind sets(mesh.face_count());
+  for (int h = 0; h < 3 * mesh.face_count(); ++h)
+    if (mesh.twins[static_cast<std::size_t>(h)] >= 0) sets.unite(face_of(h), face_of(mesh.twins[static_cast<std::size_t>(h)]));
+  mesh.component.assign(mesh.faces.size(), -1);
+  mesh.components = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const int root = sets.find(f);
+    mesh.component[static_cast<std::size_t>(f)] = root == f ? mesh.components++ : mesh.component[static_cast<std::size_t>(root)];
+  }
+}
+
+}  // namespace
+
+BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& options) {
+  BandMesh mesh;
+  if (ink.pixels == 0) return mesh;
+  const Refinement refinement(ink, mask, options);
+  const auto triangles = refinement.triangles();
+  number_points(triangles, Lattice(refinement.side()), mesh);
+  link_twins(mesh);
+  split_touching_vertices(mesh);
+  number_components(mesh);
+  mesh.scale.reserve(mesh.faces.size());
+  mesh.on_ink.reserve(mesh.faces.size());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    mesh.scale.push_back(static_cast<float>(mask_factor(mask, mesh.barycentre(f))));
+    mesh.on_ink.push_back(nearest(ink.mask, mesh.barycentre(f), std::uint8_t{0}));
+  }
+  return mesh;
+}
+
+std::vector<std::uint8_t> boundary_vertices(const BandMesh& mesh) {
+  std::vector<std::uint8_t> boundary(mesh.points.size(), 0);
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.twins[static_cast<std::size_t>(h)] >= 0) continue;
+    const auto& t = mesh.faces[static_cast<std::size_t>(face_of(h))];
+    boundary[static_cast<std::size_t>(t[static_cast<std::size_t>(h % 3)])] = 1;
+    boundary[static_cast<std::size_t>(t[static_cast<std::size_t>((h + 1) % 3)])] = 1;
+  }
+  return boundary;
+}
+
+}  // namespace inkgrid

@@ -9,6 +9,7 @@
 
 #include "ink.h"
 #include "inkgrid/image.h"
+#include "inkgrid/vec2.h"
 
 namespace inkgrid {
 
@@ -26,21 +27,29 @@ struct BandMesh {
   int vertex_count() const { return static_cast<int>(points.size()); }
   Vec2 barycentre(int f) const {
     const auto& t = faces[static_cast<std::size_t>(f)];
-    return (points[static_cast<std::size_t>(t[0])] + points[static_cast<std::size_t>(t[1])] + points[static_cast<std::size_t>(t[2])]) / 3;
+    return (points[static_cast<std::size_t>(t[0])] + points[static_cast<std::size_t>(t[1])] +
+            points[static_cast<std::size_t>(t[2])]) /
+           3;
   }
 };
 
-constexpr int face_of(int halfedge) { return halfedge / 3; }
-constexpr int next_halfedge(int halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-constexpr int previous_halfedge(int halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+constexpr int face_of(int halfedge) {
+  return halfedge / 3;
+}
+constexpr int next_halfedge(int halfedge) {
+  return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1;
+}
+constexpr int previous_halfedge(int halfedge) {
+  return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1;
+}
 
 struct BandOptions {
   double reach = 0.3;       // beta, strokes
   double mesh_size = 0.25;  // largest circumdiameter, strokes
 };
 
-// Triangles with their barycentre nearer than reach x stroke width x mask factor to a stroke pixel.  Every vertex's faces form one
-// fan: a vertex where the band only touches itself is split.  `mask` may be null.
+// Triangles with their barycentre nearer than reach x stroke width x mask factor to a stroke pixel.  Every vertex's faces form
+// one fan: a vertex where the band only touches itself is split.  `mask` may be null.
 BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& options);
 
 // Vertices on a boundary edge.

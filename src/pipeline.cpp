@@ -1,2 +1,132 @@
+// The method from drawing to curves, section 3: each line is a stage, and each stage is a file of its name.
 #include "pipeline.h"
-namespace inkgrid { const char* version() { return "0.1.0"; } }
+
+#include <chrono>
+
+namespace inkgrid {
+namespace {
+
+// Seconds of each stage, and a place to stop.
+class Stopwatch {
+ public:
+  Stopwatch(const Control& control, Report& report) : control_(control), report_(report) {}
+
+  template <class Stage>
+  auto operator()(const char* name, double done, Stage stage) {
+    if (control_.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
+    if (control_.progress) control_.progress(name, done);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = stage();
+    report_.seconds.emplace_back(name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return result;
+  }
+
+ private:
+  const Control& control_;
+  Report& report_;
+};
+
+// What the presets stand for: section 5 for the reach, section 6.2 for the spacing.
+struct PresetValues {
+  double reach;
+  double spacing;
+};
+
+PresetValues preset_values(Preset preset) {
+  return preset == Preset::rough ? PresetValues{0.8, 3} : PresetValues{0.3, 1};
+}
+
+void report_ink(const Ink& ink, Report& report) {
+  report.threshold = ink.threshold;
+  report.inverted = ink.inverted;
+  report.stroke_width = ink.stroke_width;
+  report.ink_pixels = ink.pixels;
+}
+
+void report_mesh(const BandMesh& mesh, Report& report) {
+  report.vertices = mesh.vertex_count();
+  report.triangles = mesh.face_count();
+  report.components = mesh.components;
+  // Euler: vertices - edges + faces = components - holes.
+  int edges = 0;
+  for (std::size_t h = 0; h < mesh.twins.size(); ++h) edges += mesh.twins[h] < static_cast<int>(h);
+  report.holes = mesh.components - (mesh.vertex_count() - edges + mesh.face_count());
+}
+
+void report_map(const FrameField& field, const Charts& charts, const GridMap& map, Report& report) {
+  report.field_rounds = field.rounds;
+  report.degenerate_fraction = field.degenerate_fraction;
+  report.singularities = charts.singularities;
+  report.cuts = map.cuts;
+  report.cut_integers = map.cut_integers;
+  report.snapping_integers = map.snapping_integers;
+  report.alignment_energy = map.alignment_energy;
+  report.snapping_energy = map.snapping_energy;
+  report.fallback_components = static_cast<int>(map.failed_components.size());
+}
+
+void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& report) {
+  report.nodes = static_cast<int>(graph.nodes.size());
+  report.edges = static_cast<int>(graph.edges.size());
+  report.curves = static_cast<int>(drawing.curves.size());
+  for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
+}
+
+}  // namespace
+
+Stages run_stages(const Image& image, const Options& options, const Control& control) {
+  Stages stages;
+  Report& report = stages.report;
+  Stopwatch run(control, report);
+  stages.drawing.width = image.width;
+  stages.drawing.height = image.height;
+  stages.drawing.pixels_per_mm = image.pixels_per_mm;
+
+  stages.ink = run("ink", 0.0, [&] { return measure_ink(binarise(image, options.threshold)); });
+  report_ink(stages.ink, report);
+  if (stages.ink.pixels == 0) {
+    report.warnings.push_back("the drawing holds no ink: the result is empty");
+    return stages;
+  }
+  const Preset preset = options.preset == Preset::automatic ? Preset::clean : options.preset;
+  report.preset = preset == Preset::rough ? "rough" : "clean";
+  report.reach = options.reach.value_or(preset_values(preset).reach);
+  report.spacing = options.spacing.value_or(preset_values(preset).spacing);
+
+  stages.mesh = run("band", 0.1, [&] { return build_band(stages.ink, control.mask, {report.reach, options.mesh_size}); });
+  report_mesh(stages.mesh, report);
+  const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
+                                   options.field_rounds};
+  stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.ink, field_options, control); });
+  stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
+  stages.labels = run("labels", 0.52, [&] {
+    return label_strokes(stages.mesh, stages.charts, stages.ink, {options.label_length, options.label_ratio});
+  });
+  const GridMapOptions map_options{report.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference};
+  stages.map = run("grid map", 0.6,
+                   [&] { return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, control); });
+  report_map(stages.field, stages.charts, stages.map, report);
+  stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
+  stages.graph = run("isolines", 0.92, [&] { return trace_isolines(stages.mesh, stages.exact, stages.map.failed_components); });
+  stages.chains = run("chains", 0.95, [&] {
+    return chain_strokes(stages.graph, stages.mesh, stages.labels, stages.ink, {report.reach, options.coverage_bins});
+  });
+  const double width = stages.ink.stroke_width;
+  const FitOptions fit_options{options.tolerance.value_or(report.reach) * width, width};
+  Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
+  stages.drawing.curves = std::move(fitted.curves);
+  stages.drawing.junctions = std::move(fitted.junctions);
+  report_curves(stages.graph, stages.drawing, report);
+  return stages;
+}
+
+Result vectorize(const Image& image, const Options& options, const Control& control) {
+  Stages stages = run_stages(image, options, control);
+  return {std::move(stages.drawing), std::move(stages.report)};
+}
+
+const char* version() {
+  return INKGRID_VERSION;
+}
+
+}  // namespace inkgrid

@@ -11,7 +11,6 @@ namespace inkgrid {
 
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
 struct Stages {
-  Binarisation binarisation;
   Ink ink;
   BandMesh mesh;
   FrameField field;

@@ -31,8 +31,8 @@ class Error : public std::runtime_error {
 
 // What steers one run besides its options.
 struct Control {
-  const ScaleMask* mask = nullptr;                             // scribbles, of the image's size; none: no local scaling
-  std::stop_token stop;                                        // asked between and inside the slow stages: Error{cancelled}
+  const ScaleMask* mask = nullptr;                              // scribbles, of the image's size; none: no local scaling
+  std::stop_token stop;                                         // asked between and inside the slow stages: Error{cancelled}
   std::function<void(const char*, double)> progress = nullptr;  // (stage, fraction 0..1), called from the calling thread
 };
 

@@ -22,18 +22,32 @@ struct Vec2 {
   Vec2& operator-=(Vec2 b) { return *this = *this - b; }
 };
 
-constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-constexpr double norm2(Vec2 a) { return dot(a, a); }
-inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
-constexpr Vec2 conj(Vec2 a) { return {a.x, -a.y}; }
+constexpr double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+constexpr double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+constexpr double norm2(Vec2 a) {
+  return dot(a, a);
+}
+inline double norm(Vec2 a) {
+  return std::hypot(a.x, a.y);
+}
+constexpr Vec2 conj(Vec2 a) {
+  return {a.x, -a.y};
+}
 // Quarter turn from the x axis to the y axis (multiplication by i).
-constexpr Vec2 quarter_turn(Vec2 a) { return {-a.y, a.x}; }
+constexpr Vec2 quarter_turn(Vec2 a) {
+  return {-a.y, a.x};
+}
 // The unit vector along a; the null vector stays itself.
 inline Vec2 unit(Vec2 a) {
   const double n = norm(a);
   return n > 0 ? a / n : a;
 }
-constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) { return a + t * (b - a); }
+constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
+  return a + t * (b - a);
+}
 
 }  // namespace inkgrid

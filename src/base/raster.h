@@ -13,7 +13,8 @@ struct Raster {
   std::vector<T> data;
 
   Raster() = default;
-  Raster(int w, int h, T value = T()) : width(w), height(h), data(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), value) {}
+  Raster(int w, int h, T value = T())
+      : width(w), height(h), data(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), value) {}
 
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
   std::size_t index(int x, int y) const {

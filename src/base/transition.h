@@ -21,10 +21,14 @@ struct IVec2 {
 template <class V>
 constexpr V turned(V a, int turn) {
   switch (turn & 3) {
-    case 1: return {-a.y, a.x};
-    case 2: return {-a.x, -a.y};
-    case 3: return {a.y, -a.x};
-    default: return a;
+    case 1:
+      return {-a.y, a.x};
+    case 2:
+      return {-a.x, -a.y};
+    case 3:
+      return {a.y, -a.x};
+    default:
+      return a;
   }
 }
 
@@ -35,6 +39,8 @@ struct Transition {
   friend constexpr bool operator==(const Transition& a, const Transition& b) { return a.turn == b.turn && a.shift == b.shift; }
 };
 
-constexpr Transition inverse(const Transition& t) { return {(4 - t.turn) & 3, turned(IVec2{} - t.shift, -t.turn)}; }
+constexpr Transition inverse(const Transition& t) {
+  return {(4 - t.turn) & 3, turned(IVec2{} - t.shift, -t.turn)};
+}
 
 }  // namespace inkgrid

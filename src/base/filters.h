@@ -1,0 +1,70 @@
+// What:   sliding-window filters over a raster, separable, with a cost that does not depend on the window.
+// Source: textbook (monotone queue, running sum).
+// Cost:   O(pixels).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "base/raster.h"
+
+namespace inkgrid {
+
+// Applies `filter(line)` to every row, then to every column; a line is a std::vector<float> changed in place.
+template <class Filter>
+void filter_lines(Raster<float>& raster, Filter filter) {
+  std::vector<float> line(static_cast<std::size_t>(raster.width));
+  for (int y = 0; y < raster.height; ++y) {
+    const auto row = raster.data.begin() + static_cast<std::ptrdiff_t>(raster.index(0, y));
+    std::copy_n(row, raster.width, line.begin());
+    filter(line);
+    std::copy(line.begin(), line.end(), row);
+  }
+  line.resize(static_cast<std::size_t>(raster.height));
+  for (int x = 0; x < raster.width; ++x) {
+    for (int y = 0; y < raster.height; ++y) line[static_cast<std::size_t>(y)] = raster(x, y);
+    filter(line);
+    for (int y = 0; y < raster.height; ++y) raster(x, y) = line[static_cast<std::size_t>(y)];
+  }
+}
+
+// The extreme of each window of 2 radius + 1 values under `before` (std::greater: the largest); the window ends at the line's
+// ends.
+template <class Before>
+void slide_extreme(std::vector<float>& line, int radius, Before before) {
+  const std::size_t n = line.size(), reach = static_cast<std::size_t>(radius);
+  const std::vector<float> value = line;
+  std::vector<std::size_t> queue(n);  // positions whose values are in order: the front is the extreme of the window
+  std::size_t front = 0, back = 0;
+  for (std::size_t i = 0; i < n + reach; ++i) {
+    if (i < n) {
+      while (back > front && !before(value[queue[back - 1]], value[i])) --back;
+      queue[back++] = i;
+    }
+    if (i < reach) continue;
+    while (queue[front] + 2 * reach < i) ++front;
+    line[i - reach] = value[queue[front]];
+  }
+}
+
+template <class Before>
+Raster<float> window_extreme(Raster<float> raster, int radius, Before before) {
+  filter_lines(raster, [&](std::vector<float>& line) { slide_extreme(line, radius, before); });
+  return raster;
+}
+
+// The sum over each window of 2 radius + 1 values, nothing outside the line.
+inline void slide_sum(std::vector<float>& line, int radius) {
+  const std::size_t n = line.size(), reach = static_cast<std::size_t>(radius);
+  const std::vector<float> value = line;
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(n, reach); ++i) sum += value[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + reach < n) sum += value[i + reach];
+    if (i > reach) sum -= value[i - reach - 1];
+    line[i] = static_cast<float>(sum);
+  }
+}
+
+}  // namespace inkgrid

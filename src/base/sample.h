@@ -1,0 +1,30 @@
+// Reading rasters between pixel centres.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/raster.h"
+#include "inkgrid/vec2.h"
+
+namespace inkgrid {
+
+// Bilinear between pixel centres, constant beyond the border.
+template <class T>
+double bilinear(const Raster<T>& r, Vec2 p) {
+  const double x = std::clamp(p.x - 0.5, 0.0, r.width - 1.0), y = std::clamp(p.y - 0.5, 0.0, r.height - 1.0);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const int x1 = std::min(x0 + 1, r.width - 1), y1 = std::min(y0 + 1, r.height - 1);
+  const double fx = x - x0, fy = y - y0;
+  const auto at = [&](int i, int j) { return static_cast<double>(r(i, j)); };
+  return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) + fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
+}
+
+// The value of the pixel that covers p; `outside` beyond the border.
+template <class T>
+T nearest(const Raster<T>& r, Vec2 p, T outside) {
+  const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+  return r.contains(x, y) ? r(x, y) : outside;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,49 @@
+#include "edge_support.h"
+
+namespace inkgrid {
+
+std::vector<double> lengths_along(const std::vector<Vec2>& path) {
+  std::vector<double> lengths(path.size(), 0);
+  for (std::size_t i = 1; i < path.size(); ++i) lengths[i] = lengths[i - 1] + norm(path[i] - path[i - 1]);
+  return lengths;
+}
+
+namespace {
+
+bool agrees(Label label, int family) {
+  return label == Label::none || (label == Label::along_t) == (family == 0);
+}
+
+}  // namespace
+
+std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh& mesh, const std::vector<Label>& labels,
+                                          double bridged) {
+  const auto lengths = lengths_along(edge.path);
+  std::vector<Interval> parts;
+  for (std::size_t i = 0; i < edge.faces.size(); ++i) {
+    const auto f = static_cast<std::size_t>(edge.faces[i]);
+    if (!mesh.on_ink[f] || !agrees(labels[f], edge.family[i])) continue;
+    if (!parts.empty() && lengths[i] - parts.back().to <= bridged)
+      parts.back().to = lengths[i + 1];
+    else
+      parts.push_back({lengths[i], lengths[i + 1]});
+  }
+  return parts;
+}
+
+std::vector<Vec2> cut_out(const std::vector<Vec2>& path, const std::vector<double>& lengths, Interval part) {
+  std::vector<Vec2> points;
+  const auto at = [&](double s) {
+    std::size_t i = 1;
+    while (i + 1 < lengths.size() && lengths[i] < s) ++i;
+    const double step = lengths[i] - lengths[i - 1];
+    return step > 0 ? lerp(path[i - 1], path[i], (s - lengths[i - 1]) / step) : path[i];
+  };
+  points.push_back(part.from <= lengths.front() ? path.front() : at(part.from));
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (lengths[i] > part.from && lengths[i] < part.to) points.push_back(path[i]);
+  points.push_back(part.to >= lengths.back() ? path.back() : at(part.to));
+  return points;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,29 @@
+// What:   which parts of an isoline run along a stroke.
+// Source: section 6.3, "Topological graph": only isolines in the tangent direction.
+// Cost:   linear in the length of the isolines.
+#pragma once
+
+#include <vector>
+
+#include "isolines.h"
+
+namespace inkgrid {
+
+// A part of an edge's path, by length from its start, px.
+struct Interval {
+  double from = 0;
+  double to = 0;
+};
+
+// Length along the path up to each of its points.
+std::vector<double> lengths_along(const std::vector<Vec2>& path);
+
+// The parts of the edge that run along a stroke: on ink, in faces whose label agrees (an unlabelled face on ink
+// agrees with everything).  Gaps shorter than `bridged` px between two such parts are closed.
+std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh& mesh, const std::vector<Label>& labels,
+                                          double bridged);
+
+// The part of a path between two lengths.
+std::vector<Vec2> cut_out(const std::vector<Vec2>& path, const std::vector<double>& lengths, Interval part);
+
+}  // namespace inkgrid
