@@ -20,11 +20,17 @@ namespace {
 constexpr int kBlocks = 256;           // the paper is estimated on about this many blocks along the shorter side
 constexpr int kWindow = 20;            // blocks: no stroke is wider than twice this
 constexpr int kLocal = 2;              // px: over this distance the ink of an edge falls to none
+constexpr int kClimb = 3;              // px: and over this one more where the edge is soft
+constexpr int kBeyond = 3;             // px
 constexpr double kFaintest = 0.04;     // darkness (fraction of the paper's light) below which nothing is ink
 constexpr double kFaintOfFull = 0.15;  // of full ink: lighter than this is soiled paper, not a stroke
 constexpr double kNoiseFactor = 5;     // weak ink stands out from the grain by this many standard deviations
 constexpr double kSeedFactor = 1.4;    // a stroke has a pixel this much darker than the weakest ink
 constexpr double kGrainy = 0.012;      // standard deviation of the paper above which the picture is smoothed first
+constexpr double kAnyGrain = 0.003;
+constexpr double kSpeck = 2;  // px of full ink: less is no dot; on clean and on grainy paper
+constexpr double kSpeckInGrain = 6;
+constexpr long kPinhole = 16;  // px
 
 // The drawing as dark lines on light paper, whichever way it came.
 struct View {
@@ -230,91 +236,137 @@ Levels measure_levels(const Raster<float>& darkness) {
   return levels;
 }
 
+struct Pixel {
+  int x, y;
+};
+
+// The darkest pixel within `radius` of p; the nearest of several, so p itself on a plateau.
+Pixel darkest_near(const Raster<float>& darkness, Pixel p, int radius) {
+  Pixel best = p;
+  int nearest = 0;
+  for (int y = std::max(0, p.y - radius); y <= std::min(darkness.height - 1, p.y + radius); ++y)
+    for (int x = std::max(0, p.x - radius); x <= std::min(darkness.width - 1, p.x + radius); ++x) {
+      const float gain = darkness(x, y) - darkness(best.x, best.y);
+      const int distance = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+      if (gain < 0 || (gain == 0 && distance >= nearest)) continue;
+      best = {x, y};
+      nearest = distance;
+    }
+  return best;
+}
+
+// The darkest ink that p may be the flank of: a short climb, then all that is near.
+Pixel core_of(const Raster<float>& darkness, Pixel p) {
+  Pixel top = p;
+  for (int step = 0; step < kClimb; ++step) top = darkest_near(darkness, top, 1);
+  const Pixel a = darkest_near(darkness, p, kLocal), b = darkest_near(darkness, top, kLocal);
+  return darkness(b.x, b.y) > darkness(a.x, a.y) ? b : a;
+}
+
+// Beyond p, seen from the core, the picture is as dark as in p: a light stroke that leaves a strong one, not the edge of that.
+bool goes_on_beyond(const Raster<float>& darkness, Pixel p, Pixel core, double weak) {
+  const double dx = p.x - core.x, dy = p.y - core.y, length = std::hypot(dx, dy);
+  const int x = p.x + static_cast<int>(std::lround(kBeyond * dx / length)),
+            y = p.y + static_cast<int>(std::lround(kBeyond * dy / length));
+  if (!darkness.contains(x, y) || darkness(x, y) <= weak) return false;
+  const float ratio = darkness(x, y) / darkness(p.x, p.y);
+  return ratio > 0.6f && ratio < 1.4f;
+}
+
 struct LocalInk {
   Raster<std::uint8_t> ink;
   double mean_threshold = 0;  // darkness; over the ink
 };
 
-// Ink is more than half as dark as the darkest pixel nearby.
+// Ink is at least half as dark as the core of its stroke.
 LocalInk half_of_local_ink(const Raster<float>& darkness, double weak) {
-  Raster<std::uint8_t> ink(darkness.width, darkness.height);
+  LocalInk local{Raster<std::uint8_t>(darkness.width, darkness.height), 0};
   double sum = 0;
   long pixels = 0;
-  constexpr int window = 2 * kLocal + 1;
-  Raster<float> ring(darkness.width, window);  // row maxima of the last rows
-  std::vector<float> line(static_cast<std::size_t>(darkness.width));
-  for (int y = -kLocal; y < darkness.height; ++y) {
-    if (y + kLocal < darkness.height) {
-      const float* row = &darkness.data[darkness.index(0, y + kLocal)];
-      float* out = &ring(0, (y + kLocal) % window);
-      for (int x = 0; x < darkness.width; ++x)
-        out[x] = *std::max_element(row + std::max(0, x - kLocal), row + std::min(darkness.width, x + kLocal + 1));
-    }
-    if (y < 0) continue;
+  for (int y = 0; y < darkness.height; ++y)
     for (int x = 0; x < darkness.width; ++x) {
-      float most = 0;
-      for (int j = std::max(0, y - kLocal); j <= std::min(darkness.height - 1, y + kLocal); ++j)
-        most = std::max(most, ring(x, j % window));
-      const float threshold = std::max(static_cast<float>(weak), 0.5f * most);
-      if (darkness(x, y) <= threshold) continue;
-      ink(x, y) = 1;
-      sum += threshold;
+      const float here = darkness(x, y);
+      if (here <= weak) continue;
+      const Pixel core = core_of(darkness, {x, y});
+      const float half = 0.5f * darkness(core.x, core.y);
+      if (here <= half && !goes_on_beyond(darkness, {x, y}, core, weak)) continue;
+      local.ink(x, y) = 1;
+      sum += std::max(weak, static_cast<double>(half));
       ++pixels;
     }
-  }
-  return {std::move(ink), pixels > 0 ? sum / static_cast<double>(pixels) : weak};
+  local.mean_threshold = pixels > 0 ? sum / static_cast<double>(pixels) : weak;
+  return local;
 }
 
 struct Run {
   int y, first, last;  // pixels first..last of row y
 };
 
-std::vector<Run> runs_of(const Raster<std::uint8_t>& ink) {
+std::vector<Run> runs_of(const Raster<std::uint8_t>& mask, std::uint8_t value) {
   std::vector<Run> runs;
-  for (int y = 0; y < ink.height; ++y)
-    for (int x = 0; x < ink.width; ++x)
-      if (ink(x, y)) {
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x)
+      if (mask(x, y) == value) {
         const int first = x;
-        while (x + 1 < ink.width && ink(x + 1, y)) ++x;
+        while (x + 1 < mask.width && mask(x + 1, y) == value) ++x;
         runs.push_back({y, first, x});
       }
   return runs;
 }
 
-// Runs that touch, corners included, are one component.
-UnionFind join_runs(const std::vector<Run>& runs) {
+// Runs that touch are one component; corners count when reach is 1, not when it is 0.
+UnionFind join_runs(const std::vector<Run>& runs, int reach) {
   UnionFind sets(static_cast<int>(runs.size()));
   for (std::size_t i = 0, above = 0; i < runs.size(); ++i) {
-    while (runs[above].y + 1 < runs[i].y || (runs[above].y < runs[i].y && runs[above].last + 1 < runs[i].first)) ++above;
-    for (std::size_t k = above; k < i && runs[k].y < runs[i].y && runs[k].first <= runs[i].last + 1; ++k)
+    while (runs[above].y + 1 < runs[i].y || (runs[above].y < runs[i].y && runs[above].last + reach < runs[i].first)) ++above;
+    for (std::size_t k = above; k < i && runs[k].y < runs[i].y && runs[k].first <= runs[i].last + reach; ++k)
       sets.unite(static_cast<int>(k), static_cast<int>(i));
   }
   return sets;
 }
 
-// Erases components that are specks: no dark pixel in them, or too little ink altogether.
-void drop_specks(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels) {
-  const std::vector<Run> runs = runs_of(ink);
-  UnionFind sets = join_runs(runs);
-  struct Amount {
-    double ink = 0;  // px of full ink
-    float peak = 0;
+// A component of the mask, summed over its pixels.
+struct Amount {
+  long pixels = 0;
+  double darkness = 0;
+  float darkest = 0;
+  float lightest = 1;
+};
+
+// Turns over the components of pixels equal to `value` of which unwanted(amount) is true.
+template <class Unwanted>
+void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, int reach, const Raster<float>& darkness, Unwanted unwanted) {
+  const std::vector<Run> runs = runs_of(mask, value);
+  UnionFind sets = join_runs(runs, reach);
+  std::vector<Amount> amounts(runs.size());
+  const auto amount_of = [&](std::size_t run) -> Amount& {
+    return amounts[static_cast<std::size_t>(sets.find(static_cast<int>(run)))];
   };
-  std::vector<Amount> amount(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    Amount& a = amount[static_cast<std::size_t>(sets.find(static_cast<int>(i)))];
+    Amount& a = amount_of(i);
     for (int x = runs[i].first; x <= runs[i].last; ++x) {
       const float d = darkness(x, runs[i].y);
-      a.ink += d / levels.full;
-      a.peak = std::max(a.peak, d);
+      ++a.pixels;
+      a.darkness += d;
+      a.darkest = std::max(a.darkest, d);
+      a.lightest = std::min(a.lightest, d);
     }
   }
-  const double least = levels.grain > 0.003 ? 6 : 2;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Amount& a = amount[static_cast<std::size_t>(sets.find(static_cast<int>(i)))];
-    if (a.peak >= kSeedFactor * levels.weak && a.ink >= least) continue;
-    for (int x = runs[i].first; x <= runs[i].last; ++x) ink(x, runs[i].y) = 0;
+    if (!unwanted(amount_of(i))) continue;
+    for (int x = runs[i].first; x <= runs[i].last; ++x) mask(x, runs[i].y) ^= 1;
   }
+}
+
+// Gaps in a soft stroke: small holes through which no paper is seen.
+void fill_pinholes(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels) {
+  turn_over(ink, 0, 0, darkness, [&](const Amount& a) { return a.pixels <= kPinhole && a.lightest > levels.weak; });
+}
+
+// Specks: no dark pixel in them, or too little ink altogether.
+void drop_specks(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels) {
+  const double least = levels.full * (levels.grain > kAnyGrain ? kSpeckInGrain : kSpeck);
+  turn_over(ink, 1, 1, darkness, [&](const Amount& a) { return a.darkest < kSeedFactor * levels.weak || a.darkness < least; });
 }
 
 // The two grey levels of a pure black-and-white picture, if it is one with a visible difference.
@@ -352,6 +404,7 @@ Binarisation automatic(const View& view) {
   }
   const Raster<float>& clear = smoothed.data.empty() ? darkness : smoothed;
   LocalInk local = half_of_local_ink(clear, levels.weak);
+  fill_pinholes(local.ink, clear, levels);
   drop_specks(local.ink, clear, levels);
   const auto full = static_cast<float>(levels.full);
   for (float& d : darkness.data) d = std::clamp(d / full, 0.0f, 1.0f);
