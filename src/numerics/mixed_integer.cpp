@@ -1,3 +1,299 @@
 #include "numerics/mixed_integer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "inkgrid/inkgrid.h"
-namespace inkgrid { MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem&) { throw Error(ErrorCode::numerics, "not built yet"); } }
+
+namespace inkgrid {
+
+namespace {
+
+// Distances to the nearest integer that differ by less are a tie: rounding errors must not choose.
+constexpr double kTie = 1e-9;
+// Entries of the Schur complement this small, relative to its diagonal, only reflect chains of many strong bonds.
+constexpr double kNegligible = 1e-10;
+// Part of an integer's own row below which the elimination of the reals carries it no further.
+constexpr double kHalfSolveFloor = 1e-13;
+
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// The problem with its unknowns split:  A = [real, coupling'; coupling, integral].
+struct Split {
+  std::vector<char> is_integer;  // per unknown
+  std::vector<int> place;        // per unknown: among the reals or among the integers
+  int reals = 0;
+  int integers = 0;
+  std::vector<Entry<double>> real;      // lower triangle
+  std::vector<Entry<double>> integral;  // lower triangle
+  std::vector<SparseVector> coupling;   // per integer, over the reals
+  std::vector<double> real_diagonal, integral_diagonal;
+  std::vector<double> real_b, integral_b;
+};
+
+void number_unknowns(const MixedIntegerProblem& problem, Split& split) {
+  split.is_integer.assign(at(problem.size), 0);
+  for (int i : problem.integers) split.is_integer[at(i)] = 1;
+  split.place.resize(at(problem.size));
+  for (int i = 0; i < problem.size; ++i) {
+    const bool integer = split.is_integer[at(i)] != 0;
+    split.place[at(i)] = integer ? split.integers++ : split.reals++;
+    (integer ? split.integral_b : split.real_b).push_back(problem.b[at(i)]);
+  }
+}
+
+Split split_problem(const MixedIntegerProblem& problem) {
+  Split split;
+  number_unknowns(problem, split);
+  split.coupling.resize(at(split.integers));
+  split.real_diagonal.resize(at(split.reals));
+  split.integral_diagonal.resize(at(split.integers));
+  split.real.reserve(problem.lower.size());
+  for (const auto& e : problem.lower) {
+    const bool row_integer = split.is_integer[at(e.row)] != 0;
+    const int row = split.place[at(e.row)], column = split.place[at(e.column)];
+    if (row_integer != (split.is_integer[at(e.column)] != 0)) {
+      split.coupling[at(row_integer ? row : column)].push_back({row_integer ? column : row, e.value});
+      continue;
+    }
+    (row_integer ? split.integral : split.real).push_back({row, column, e.value});
+    if (row == column) (row_integer ? split.integral_diagonal : split.real_diagonal)[at(row)] += e.value;
+  }
+  return split;
+}
+
+// x' S x / 2 - h' x + constant: the least energy that the integers x allow, the reals having answered.
+struct Reduced {
+  std::vector<SparseVector> rows;  // of S, without its diagonal
+  std::vector<double> diagonal;
+  std::vector<double> h;
+  double constant = 0;
+
+  int size() const { return static_cast<int>(diagonal.size()); }
+
+  // S x - h.
+  std::vector<double> gradient(const std::vector<double>& x) const {
+    std::vector<double> g(diagonal.size());
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      g[i] = diagonal[i] * x[i] - h[i];
+      for (const SparseTerm& term : rows[i]) g[i] += term.value * x[at(term.index)];
+    }
+    return g;
+  }
+
+  double energy(const std::vector<double>& x) const { return (dot(gradient(x), x) - dot(h, x)) / 2 + constant; }
+};
+
+// A bond that is left out takes its share of the two diagonals along, so that moving both ends together still costs the same.
+void drop_negligible(std::vector<SparseVector>& rows, std::vector<double>& diagonal) {
+  const std::vector<double> before = diagonal;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto negligible = [&](const SparseTerm& term) {
+      return std::abs(term.value) < kNegligible * std::sqrt(before[i] * before[at(term.index)]);
+    };
+    for (const SparseTerm& term : rows[i])
+      if (negligible(term)) diagonal[i] -= std::abs(term.value);
+    std::erase_if(rows[i], negligible);
+  }
+}
+
+// A sparse sum under construction; terms come out in ascending order.
+class Accumulator {
+ public:
+  explicit Accumulator(int size) : sum_(at(size), 0.0), touched_(at(size), 0) {}
+
+  void add(int i, double value) {
+    if (!touched_[at(i)]) indices_.push_back(i);
+    touched_[at(i)] = 1;
+    sum_[at(i)] += value;
+  }
+
+  SparseVector take() {
+    std::sort(indices_.begin(), indices_.end());
+    SparseVector result;
+    for (int i : indices_) {
+      result.push_back({i, sum_[at(i)]});
+      sum_[at(i)] = 0;
+      touched_[at(i)] = 0;
+    }
+    indices_.clear();
+    return result;
+  }
+
+ private:
+  std::vector<double> sum_;
+  std::vector<char> touched_;
+  std::vector<int> indices_;
+};
+
+// The lower triangle of  S = integral - coupling real^(-1) coupling', by rows; the second part by products of half-solved rows.
+std::vector<SparseVector> schur_complement(const Split& split, SparseLdl& factor) {
+  std::vector<SparseVector> rows(at(split.integers)), integral(at(split.integers)), by_real(at(split.reals));
+  for (const auto& e : split.integral) integral[at(e.row)].push_back({e.column, e.value});
+  Accumulator sum(split.integers);
+  for (int i = 0; i < split.integers; ++i) {
+    const double floor = kHalfSolveFloor * std::sqrt(std::max(0.0, split.integral_diagonal[at(i)]));
+    sum.add(i, 0);
+    for (const SparseTerm& term : integral[at(i)]) sum.add(term.index, term.value);
+    for (const SparseTerm& mine : factor.half_solve(split.coupling[at(i)], floor)) {
+      by_real[at(mine.index)].push_back({i, mine.value});
+      for (const SparseTerm& other : by_real[at(mine.index)]) sum.add(other.index, -mine.value * other.value);
+    }
+    rows[at(i)] = sum.take();
+  }
+  return rows;
+}
+
+// `answer`: the reals when all integers are zero.
+Reduced reduce(const Split& split, SparseLdl& factor, const std::vector<double>& answer) {
+  Reduced reduced{std::vector<SparseVector>(at(split.integers)), {}, split.integral_b, -dot(split.real_b, answer) / 2};
+  for (int i = 0; i < split.integers; ++i)
+    for (const SparseTerm& term : split.coupling[at(i)]) reduced.h[at(i)] -= term.value * answer[at(term.index)];
+  const std::vector<SparseVector> lower = schur_complement(split, factor);
+  for (int i = 0; i < split.integers; ++i)
+    for (const SparseTerm& term : lower[at(i)]) {
+      if (term.index == i) {
+        reduced.diagonal.push_back(term.value);
+      } else {
+        reduced.rows[at(i)].push_back(term);
+        reduced.rows[at(term.index)].push_back({i, term.value});
+      }
+    }
+  drop_negligible(reduced.rows, reduced.diagonal);
+  return reduced;
+}
+
+SparseLdl factorise(const Reduced& reduced, const std::vector<double>& scale) {
+  std::vector<Entry<double>> lower;
+  for (int i = 0; i < reduced.size(); ++i) {
+    lower.push_back({i, i, reduced.diagonal[at(i)]});
+    for (const SparseTerm& term : reduced.rows[at(i)])
+      if (term.index < i) lower.push_back({i, term.index, term.value});
+  }
+  return SparseLdl(reduced.size(), lower, scale);
+}
+
+// Halves go up, also those that rounding errors have lowered.
+double nearest_integer(double x) {
+  return std::floor(x + 0.5 + kTie);
+}
+
+int nearest_to_an_integer(const std::vector<double>& x, const std::vector<char>& fixed) {
+  int best = -1;
+  double distance = 1;
+  for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+    if (fixed[at(i)]) continue;
+    const double d = std::abs(x[at(i)] - nearest_integer(x[at(i)]));
+    if (best >= 0 && d >= distance - kTie) continue;
+    best = i;
+    distance = d;
+  }
+  return best;
+}
+
+// `x`: the minimum over the reals; `factor`: of S.  Moving x_j by delta moves the others along column j of the inverse of what is
+// left.
+std::vector<double> round_greedily(std::vector<double> x, SparseLdl& factor) {
+  std::vector<char> fixed(x.size(), 0);
+  for (int j; (j = nearest_to_an_integer(x, fixed)) >= 0; fixed[at(j)] = 1) {
+    const double target = nearest_integer(x[at(j)]), delta = target - x[at(j)];
+    if (delta != 0) {
+      std::vector<double> column(x.size(), 0.0);
+      column[at(j)] = 1;
+      column = factor.solve(column);
+      const double step = delta / column[at(j)];
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * column[i];
+    }
+    x[at(j)] = target;
+    factor.remove(j);
+  }
+  return x;
+}
+
+struct Move {
+  double change = 0;  // of the energy
+  int i = -1, j = -1;
+  double step_i = 0, step_j = 0;
+};
+
+Move steepest_move(const Reduced& reduced, const std::vector<double>& gradient) {
+  Move best;
+  const auto single = [&](int i, double step) { return step * gradient[at(i)] + reduced.diagonal[at(i)] / 2; };
+  const auto consider = [&](const Move& move) {
+    if (move.change < best.change) best = move;
+  };
+  for (int i = 0; i < reduced.size(); ++i)
+    for (double step_i : {-1.0, 1.0}) {
+      const double alone = single(i, step_i);
+      consider({alone, i, i, step_i, 0});
+      for (const SparseTerm& term : reduced.rows[at(i)])
+        if (term.index < i)
+          for (double step_j : {-1.0, 1.0})
+            consider({alone + single(term.index, step_j) + step_i * step_j * term.value, i, term.index, step_i, step_j});
+    }
+  return best;
+}
+
+// Ends because each move lowers the energy by more than rounding errors could.
+std::vector<double> descend(const Reduced& reduced, std::vector<double> x) {
+  const double least = kTie * (1 + std::abs(reduced.energy(x)));
+  for (;;) {
+    const Move move = steepest_move(reduced, reduced.gradient(x));
+    if (move.change > -least) return x;
+    x[at(move.i)] += move.step_i;
+    x[at(move.j)] += move.step_j;
+  }
+}
+
+void require_finite(const MixedIntegerProblem& problem) {
+  bool finite = std::all_of(problem.b.begin(), problem.b.end(), [](double v) { return std::isfinite(v); });
+  for (const auto& e : problem.lower) finite = finite && std::isfinite(e.value);
+  if (!finite) throw Error(ErrorCode::numerics, "A linear system holds a value that is not finite.");
+}
+
+double energy_at(const MixedIntegerProblem& problem, const std::vector<double>& x) {
+  double energy = -dot(problem.b, x);
+  for (const auto& e : problem.lower) energy += (e.row == e.column ? 0.5 : 1.0) * e.value * x[at(e.row)] * x[at(e.column)];
+  return energy;
+}
+
+// The reals, given the integers.
+std::vector<double> answer_of_reals(const Split& split, const SparseLdl& factor, const std::vector<double>& integers) {
+  std::vector<double> b = split.real_b;
+  for (int i = 0; i < split.integers; ++i)
+    for (const SparseTerm& term : split.coupling[at(i)]) b[at(term.index)] -= term.value * integers[at(i)];
+  return factor.solve(b);
+}
+
+}  // namespace
+
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem) {
+  require_finite(problem);
+  const Split split = split_problem(problem);
+  SparseLdl factor(split.reals, split.real, split.real_diagonal);
+  const Reduced reduced = reduce(split, factor, factor.solve(split.real_b));
+  SparseLdl integer_factor = factorise(reduced, split.integral_diagonal);
+  const std::vector<double> relaxed = integer_factor.solve(reduced.h);
+  const std::vector<double> greedy = round_greedily(relaxed, integer_factor);
+  const std::vector<double> integers = descend(reduced, greedy);
+  const std::vector<double> reals = answer_of_reals(split, factor, integers);
+
+  MixedIntegerSolution solution;
+  for (int i = 0; i < problem.size; ++i)
+    solution.x.push_back((split.is_integer[at(i)] ? integers : reals)[at(split.place[at(i)])]);
+  solution.energy = energy_at(problem, solution.x);
+  solution.greedy_energy = reduced.energy(greedy);
+  solution.relaxed_energy = reduced.energy(relaxed);
+  return solution;
+}
+
+}  // namespace inkgrid

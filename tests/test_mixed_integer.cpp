@@ -1,0 +1,304 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "inkgrid/inkgrid.h"
+#include "numerics/mixed_integer.h"
+
+namespace inkgrid {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd dense_matrix(const MixedIntegerProblem& problem) {
+  MatrixXd a = MatrixXd::Zero(problem.size, problem.size);
+  for (const auto& e : problem.lower) {
+    a(e.row, e.column) += e.value;
+    if (e.row != e.column) a(e.column, e.row) += e.value;
+  }
+  return a;
+}
+
+VectorXd dense_vector(const std::vector<double>& v) {
+  return Eigen::Map<const VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+
+double energy_of(const MixedIntegerProblem& problem, const VectorXd& x) {
+  return 0.5 * x.dot(dense_matrix(problem) * x) - dense_vector(problem.b).dot(x);
+}
+
+MixedIntegerProblem problem_of(const MatrixXd& a, const VectorXd& b, const std::vector<int>& integers) {
+  MixedIntegerProblem problem{static_cast<int>(a.rows()), {}, {b.data(), b.data() + b.size()}, integers};
+  for (int i = 0; i < problem.size; ++i)
+    for (int j = 0; j <= i; ++j)
+      if (a(i, j) != 0) problem.lower.push_back({i, j, a(i, j)});
+  return problem;
+}
+
+// A sum of squares of few-term residuals, as in a map, plus a small damping.
+MixedIntegerProblem random_problem(std::mt19937& random, int size, int integer_count) {
+  std::normal_distribution<double> normal;
+  std::uniform_int_distribution<int> pick(0, size - 1);
+  MatrixXd a = 0.05 * MatrixXd::Identity(size, size);
+  VectorXd b(size);
+  for (int i = 0; i < size; ++i) b[i] = 3 * normal(random);
+  for (int k = 0; k < 2 * size; ++k) {
+    VectorXd row = VectorXd::Zero(size);
+    for (int t = 0; t < 3; ++t) row[pick(random)] += normal(random);
+    a += row * row.transpose();
+  }
+  std::vector<int> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<int> integers(order.begin(), order.begin() + integer_count);
+  std::sort(integers.begin(), integers.end());
+  return problem_of(a, b, integers);
+}
+
+// S and h of  x' S x / 2 - h' x + constant, the least energy for given integers; dense and independent of the code under test.
+struct DenseReduction {
+  MatrixXd s;
+  VectorXd h;
+  double constant;
+};
+
+DenseReduction reduce_densely(const MixedIntegerProblem& problem) {
+  const MatrixXd a = dense_matrix(problem);
+  const VectorXd b = dense_vector(problem.b);
+  const auto& integers = problem.integers;
+  std::vector<int> reals;
+  for (int i = 0; i < problem.size; ++i)
+    if (!std::binary_search(integers.begin(), integers.end(), i)) reals.push_back(i);
+  const MatrixXd inverse = MatrixXd(a(reals, reals)).inverse();
+  const VectorXd real_b = b(reals);
+  return {a(integers, integers) - a(integers, reals) * inverse * a(reals, integers),
+          b(integers) - a(integers, reals) * inverse * real_b, -0.5 * real_b.dot(inverse * real_b)};
+}
+
+double reduced_energy(const DenseReduction& r, const VectorXd& x) {
+  return 0.5 * x.dot(r.s * x) - r.h.dot(x) + r.constant;
+}
+
+// The best integers by depth-first search, cut off by the (exact) bound of each Cholesky level.
+double brute_force_energy(const DenseReduction& r) {
+  const int m = static_cast<int>(r.h.size());
+  const VectorXd centre = r.s.ldlt().solve(r.h);
+  const MatrixXd upper = r.s.llt().matrixU();
+  double best = std::numeric_limits<double>::infinity();
+  VectorXd x = centre;
+  std::function<void(int, double)> descend = [&](int level, double cost) {
+    if (cost >= best) return;
+    if (level < 0) {
+      best = cost;
+      return;
+    }
+    double tail = 0;
+    for (int j = level + 1; j < m; ++j) tail += upper(level, j) * (x[j] - centre[j]);
+    const double middle = centre[level] - tail / upper(level, level);
+    const double reach = std::sqrt(2 * std::min(best - cost, 1e6)) / upper(level, level);
+    const double limit = std::isfinite(best) ? reach : 40;
+    for (double v = std::ceil(middle - limit); v <= middle + limit; ++v) {
+      x[level] = v;
+      const double residual = upper(level, level) * (v - middle);
+      descend(level - 1, cost + 0.5 * residual * residual);
+    }
+  };
+  descend(m - 1, 0);
+  return best + reduced_energy(r, centre);
+}
+
+TEST(MixedInteger, WithoutIntegersIsTheLinearSolution) {
+  std::mt19937 random(1);
+  const MixedIntegerProblem problem = random_problem(random, 40, 0);
+  const auto solution = solve_mixed_integer(problem);
+  const VectorXd expected = dense_matrix(problem).llt().solve(dense_vector(problem.b));
+  EXPECT_LT((dense_vector(solution.x) - expected).norm(), 1e-9 * expected.norm());
+  EXPECT_NEAR(solution.energy, solution.relaxed_energy, 1e-9 * std::abs(solution.energy));
+}
+
+TEST(MixedInteger, EmptyProblem) {
+  EXPECT_TRUE(solve_mixed_integer({}).x.empty());
+}
+
+TEST(MixedInteger, DuplicateEntriesAddUp) {
+  const MixedIntegerProblem problem{2, {{0, 0, 1.0}, {1, 1, 2.0}, {1, 0, 0.25}, {0, 0, 1.0}, {1, 0, 0.25}}, {1, 1}, {}};
+  const auto solution = solve_mixed_integer(problem);
+  EXPECT_NEAR(2 * solution.x[0] + 0.5 * solution.x[1], 1, 1e-14);
+  EXPECT_NEAR(0.5 * solution.x[0] + 2 * solution.x[1], 1, 1e-14);
+}
+
+TEST(MixedInteger, EnergiesAreThoseOfTheirDefinition) {
+  std::mt19937 random(2);
+  for (int trial = 0; trial < 30; ++trial) {
+    const MixedIntegerProblem problem = random_problem(random, 30, 1 + trial % 12);
+    const auto solution = solve_mixed_integer(problem);
+    const double magnitude = 1 + std::abs(solution.relaxed_energy);
+    for (int i : problem.integers)
+      EXPECT_EQ(solution.x[static_cast<std::size_t>(i)], std::round(solution.x[static_cast<std::size_t>(i)]));
+    EXPECT_NEAR(solution.energy, energy_of(problem, dense_vector(solution.x)), 1e-9 * magnitude);
+    const VectorXd relaxed = dense_matrix(problem).llt().solve(dense_vector(problem.b));
+    EXPECT_NEAR(solution.relaxed_energy, energy_of(problem, relaxed), 1e-8 * magnitude);
+  }
+}
+
+TEST(MixedInteger, RealsAnswerTheIntegers) {
+  std::mt19937 random(3);
+  const MixedIntegerProblem problem = random_problem(random, 60, 15);
+  const auto solution = solve_mixed_integer(problem);
+  const VectorXd gradient = dense_matrix(problem) * dense_vector(solution.x) - dense_vector(problem.b);
+  for (int i = 0; i < problem.size; ++i)
+    if (!std::binary_search(problem.integers.begin(), problem.integers.end(), i)) {
+      EXPECT_NEAR(gradient[i], 0, 1e-9);
+    }
+}
+
+TEST(MixedInteger, OneIntegerIsOptimal) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 50; ++trial) {
+    const MixedIntegerProblem problem = random_problem(random, 12, 1);
+    const DenseReduction r = reduce_densely(problem);
+    EXPECT_EQ(solve_mixed_integer(problem).x[static_cast<std::size_t>(problem.integers[0])], std::round(r.h[0] / r.s(0, 0)));
+  }
+}
+
+TEST(MixedInteger, UncoupledIntegersAreOptimal) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-9, 9), weight(1e-3, 1e3);
+  MatrixXd a = MatrixXd::Zero(20, 20);
+  VectorXd b(20);
+  for (int i = 0; i < 20; ++i) {
+    a(i, i) = weight(random);
+    b[i] = a(i, i) * value(random);
+  }
+  std::vector<int> all(20);
+  std::iota(all.begin(), all.end(), 0);
+  const auto solution = solve_mixed_integer(problem_of(a, b, all));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(solution.x[static_cast<std::size_t>(i)], std::round(b[i] / a(i, i)));
+}
+
+// Fixing an integer costs at most an eighth of its row's diagonal of S, since it moves by 1/2 at most and the others answer.
+TEST(MixedInteger, LiesBetweenTheOptimumAndTheBoundOfGreedyRounding) {
+  std::mt19937 random(6);
+  int optimal = 0, improved = 0;
+  const int trials = 300;
+  for (int trial = 0; trial < trials; ++trial) {
+    const MixedIntegerProblem problem = random_problem(random, 14, 2 + trial % 5);
+    const auto solution = solve_mixed_integer(problem);
+    const DenseReduction r = reduce_densely(problem);
+    const double best = brute_force_energy(r), tolerance = 1e-7 * (1 + std::abs(best));
+    EXPECT_GE(solution.energy, best - tolerance);
+    EXPECT_LE(solution.energy, solution.greedy_energy + tolerance);
+    EXPECT_LE(solution.greedy_energy, solution.relaxed_energy + r.s.trace() / 8 + tolerance);
+    optimal += solution.energy <= best + tolerance;
+    improved += solution.energy < solution.greedy_energy - tolerance;
+  }
+  EXPECT_GT(optimal, trials * 9 / 10);
+  EXPECT_GT(improved, 0);
+}
+
+TEST(MixedInteger, GreedyFixesTheNearestToAnIntegerFirst) {
+  // x1 = 0.85 goes to 1 and drags x0 from 0.4 to 0.4 + 0.9 * 0.15 > 1/2; had x0 gone to 0 first, x1 would have followed.
+  const double c = 0.9;
+  MatrixXd s(2, 2);
+  s << 1, -c, -c, 1;
+  const VectorXd relaxed = (VectorXd(2) << 0.4, 0.85).finished();
+  const auto solution = solve_mixed_integer(problem_of(s, s * relaxed, {0, 1}));
+  const VectorXd error = VectorXd::Ones(2) - relaxed;
+  EXPECT_EQ(solution.x, (std::vector<double>{1, 1}));
+  EXPECT_NEAR(solution.greedy_energy - solution.relaxed_energy, 0.5 * error.dot(s * error), 1e-12);
+}
+
+TEST(MixedInteger, NoStepOfOneOrTwoIntegersLowersTheEnergy) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 20; ++trial) {
+    const MixedIntegerProblem problem = random_problem(random, 25, 10);
+    const auto solution = solve_mixed_integer(problem);
+    const DenseReduction r = reduce_densely(problem);
+    VectorXd x = dense_vector(solution.x)(problem.integers);
+    const double energy = reduced_energy(r, x);
+    for (int i = 0; i < 10; ++i)
+      for (int j = 0; j < 10; ++j)
+        for (int si = -1; si <= 1; ++si)
+          for (int sj = -1; sj <= 1; ++sj) {
+            VectorXd moved = x;
+            moved[i] += si;
+            moved[j] += i == j ? 0 : sj;
+            EXPECT_GE(reduced_energy(r, moved), energy - 1e-7 * (1 + std::abs(energy)));
+          }
+  }
+}
+
+TEST(MixedInteger, AnOrderOfTheUnknownsIsOnlyAnOrder) {
+  std::mt19937 random(8);
+  for (int trial = 0; trial < 20; ++trial) {
+    const MixedIntegerProblem problem = random_problem(random, 40, 12);
+    std::vector<int> to(40);
+    std::iota(to.begin(), to.end(), 0);
+    std::shuffle(to.begin(), to.end(), random);
+    const auto moved = [&](int i) { return to[static_cast<std::size_t>(i)]; };
+    MixedIntegerProblem permuted{problem.size, {}, std::vector<double>(40), {}};
+    for (const auto& e : problem.lower)
+      permuted.lower.push_back({std::max(moved(e.row), moved(e.column)), std::min(moved(e.row), moved(e.column)), e.value});
+    for (int i = 0; i < 40; ++i) permuted.b[static_cast<std::size_t>(moved(i))] = problem.b[static_cast<std::size_t>(i)];
+    for (int i : problem.integers) permuted.integers.push_back(moved(i));
+    std::sort(permuted.integers.begin(), permuted.integers.end());
+    const auto a = solve_mixed_integer(problem), b = solve_mixed_integer(permuted);
+    for (int i = 0; i < 40; ++i) EXPECT_NEAR(a.x[static_cast<std::size_t>(i)], b.x[static_cast<std::size_t>(moved(i))], 1e-7);
+  }
+}
+
+// A chain of strong pins, real and integer in turn: what couples far integers is negligible, and left out; the energies must not
+// notice.
+TEST(MixedInteger, ALongChainKeepsItsEnergies) {
+  const int pairs = 150;
+  MixedIntegerProblem problem{2 * pairs, {}, std::vector<double>(2 * pairs, 0.0), {}};
+  const auto bond = [&](int i, int j, double weight, double difference) {  // weight / 2 * (x_i - x_j - difference)^2
+    problem.lower.push_back({i, i, weight});
+    problem.lower.push_back({j, j, weight});
+    problem.lower.push_back({std::max(i, j), std::min(i, j), -weight});
+    problem.b[static_cast<std::size_t>(i)] += weight * difference;
+    problem.b[static_cast<std::size_t>(j)] -= weight * difference;
+  };
+  for (int k = 0; k < pairs; ++k) {
+    bond(2 * k, 2 * k + 1, 2500, 0);
+    if (k > 0) bond(2 * k, 2 * k - 2, 0.7, 1.37 + 0.2 * std::sin(k));
+    problem.lower.push_back({2 * k, 2 * k, 1e-6});
+    problem.integers.push_back(2 * k + 1);
+  }
+  const auto solution = solve_mixed_integer(problem);
+  EXPECT_NEAR(solution.energy, energy_of(problem, dense_vector(solution.x)), 1e-6);
+  const VectorXd relaxed = dense_matrix(problem).ldlt().solve(dense_vector(problem.b));
+  EXPECT_NEAR(solution.relaxed_energy, energy_of(problem, relaxed), 1e-5);
+  for (int k = 1; k < pairs; ++k) {
+    const double step = solution.x[static_cast<std::size_t>(2 * k + 1)] - solution.x[static_cast<std::size_t>(2 * k - 1)];
+    EXPECT_LT(std::abs(step - (1.37 + 0.2 * std::sin(k))), 1.0);
+  }
+}
+
+TEST(MixedInteger, RefusesWhatHasNoMinimum) {
+  const auto code_of = [](const MixedIntegerProblem& problem) {
+    try {
+      solve_mixed_integer(problem);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::usage;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(code_of({2, {{0, 0, 1.0}, {1, 1, -1.0}}, {0, 0}, {}}), ErrorCode::numerics);
+  EXPECT_EQ(code_of({2, {{0, 0, 1.0}, {1, 1, -1.0}}, {0, 0}, {1}}), ErrorCode::numerics);
+  EXPECT_EQ(code_of({2, {{0, 0, 1.0}, {1, 1, 1.0}, {1, 0, 2.0}}, {0, 0}, {1}}), ErrorCode::numerics);
+  EXPECT_EQ(code_of({2, {{0, 0, 1.0}, {1, 1, 1.0}, {1, 0, -1.0}}, {0, 0}, {0, 1}}), ErrorCode::numerics);  // singular
+  EXPECT_EQ(code_of({2, {{0, 0, 1.0}}, {0, 0}, {}}), ErrorCode::numerics);
+  EXPECT_EQ(code_of({1, {{0, 0, nan}}, {0}, {}}), ErrorCode::numerics);
+  EXPECT_EQ(code_of({1, {{0, 0, 1.0}}, {nan}, {0}}), ErrorCode::numerics);
+}
+
+}  // namespace
+}  // namespace inkgrid
