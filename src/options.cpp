@@ -1,1 +1,151 @@
-#include "inkgrid/options.h"
+#include "options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "inkgrid/inkgrid.h"
+
+namespace inkgrid {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+constexpr std::array kPresetNames{"auto", "clean", "rough"};
+
+constexpr std::array kTable{
+    OptionRow{"preset", &Options::preset, "", 0, 2, "7", "what is left unset is chosen for clean or for rough drawings"},
+    OptionRow{"threshold", &Options::threshold, "grey level", 0, 255, "5", "pixels darker than this are ink"},
+    OptionRow{"reach", &Options::reach, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
+    OptionRow{"mesh-size", &Options::mesh_size, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
+    OptionRow{"degenerate-angle", &Options::degenerate_angle, "degrees", 0, 90, "6.1",
+              "a frame with a smaller angle is degenerate"},
+    OptionRow{"degenerate-ratio", &Options::degenerate_ratio, "", 0, 1, "6.1",
+              "a frame with a smaller ratio of lengths is degenerate"},
+    OptionRow{"degenerate-fraction", &Options::degenerate_fraction, "", 0, 1, "6.1",
+              "re-weighting stops when fewer frames are degenerate"},
+    OptionRow{"field-rounds", &Options::field_rounds, "", 0, 10000, "6.1", "re-weighting rounds at most"},
+    OptionRow{"label-length", &Options::label_length, "strokes", 0.5, 100, "6.1",
+              "how far a triangle looks along its two directions"},
+    OptionRow{"label-ratio", &Options::label_ratio, "", 0, 0.5, "6.1", "above this share of ink the weaker direction is as good"},
+    OptionRow{"spacing", &Options::spacing, "strokes", 0.1, 100, "6.2", "distance of grid lines; nearer strokes merge (lambda)"},
+    OptionRow{"snap", &Options::snap, "", 0, 1e6, "6.2", "weight that draws strokes to grid lines (mu)"},
+    OptionRow{"snap-sigma", &Options::snap_sigma, "half-widths", 0.01, 10, "6.2",
+              "how far from its centre line a stroke snaps (sigma)"},
+    OptionRow{"damping", &Options::damping, "", 1e-9, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
+    OptionRow{"merge-difference", &Options::merge_difference, "grid", 0, 10, "6.2", "corners nearer than this share an integer"},
+    OptionRow{"coverage-bins", &Options::coverage_bins, "", 1, 1000, "6.3", "parts of a chain that must all hold ink"},
+    OptionRow{"tolerance", &Options::tolerance, "strokes", 0.001, 10, "6.3", "largest distance of a curve from its chain"},
+    OptionRow{"threads", &Options::threads, "", 0, 1024, "", "0: as many as the machine has; the result is the same"},
+};
+
+// The shortest decimal that reads back as the same value, without an exponent where a person would write none.
+std::string number_text(double value) {
+  const bool plain = value == 0 || (std::abs(value) >= 1e-6 && std::abs(value) < 1e9);
+  const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr};
+}
+
+// The whole text as a number, in the C locale whatever the user's is.
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// False for what is no number, too.
+bool in_range(const OptionRow& row, double value) {
+  return row.least <= value && value <= row.most;
+}
+
+bool in_range(const OptionRow& row, const Options& options) {
+  return std::visit(Overloaded{[&](std::optional<double> Options::*m) { return !(options.*m) || in_range(row, *(options.*m)); },
+                               [&](auto Options::*m) { return in_range(row, static_cast<double>(options.*m)); }},
+                    row.member);
+}
+
+[[noreturn]] void refuse(const OptionRow& row, std::string_view text) {
+  throw Error(ErrorCode::usage, std::string(row.name) + " must be " + accepted_values(row) + ", not '" + std::string(text) + "'");
+}
+
+template <class Number>
+Number number_in_range(const OptionRow& row, std::string_view text) {
+  const std::optional<Number> value = parsed<Number>(text);
+  if (!value || !in_range(row, static_cast<double>(*value))) refuse(row, text);
+  return *value;
+}
+
+}  // namespace
+
+std::span<const OptionRow> option_table() {
+  return kTable;
+}
+
+const OptionRow& option_row(std::string_view name) {
+  const auto row = std::find_if(kTable.begin(), kTable.end(), [&](const OptionRow& r) { return r.name == name; });
+  if (row == kTable.end()) throw Error(ErrorCode::usage, "there is no option '" + std::string(name) + "'");
+  return *row;
+}
+
+std::string accepted_values(const OptionRow& row) {
+  const std::string range = number_text(row.least) + " to " + number_text(row.most);
+  return std::visit(Overloaded{[](Preset Options::*) { return std::string("auto, clean or rough"); },
+                               [&](double Options::*) { return "a number from " + range; },
+                               [&](std::optional<double> Options::*) { return "a number from " + range + " or auto"; },
+                               [&](int Options::*) { return "a whole number from " + range; }},
+                    row.member);
+}
+
+void set_option(Options& options, const OptionRow& row, std::string_view text) {
+  std::visit(Overloaded{[&](Preset Options::*m) {
+                          const auto name = std::find(kPresetNames.begin(), kPresetNames.end(), text);
+                          if (name == kPresetNames.end()) refuse(row, text);
+                          options.*m = static_cast<Preset>(name - kPresetNames.begin());
+                        },
+                        [&](double Options::*m) { options.*m = number_in_range<double>(row, text); },
+                        [&](std::optional<double> Options::*m) {
+                          options.*m = text == "auto" ? std::nullopt : std::optional(number_in_range<double>(row, text));
+                        },
+                        [&](int Options::*m) { options.*m = number_in_range<int>(row, text); }},
+             row.member);
+}
+
+std::string option_text(const Options& options, const OptionRow& row) {
+  return std::visit(
+      Overloaded{[&](Preset Options::*m) { return std::string(kPresetNames.at(static_cast<std::size_t>(options.*m))); },
+                 [&](double Options::*m) { return number_text(options.*m); },
+                 [&](std::optional<double> Options::*m) { return options.*m ? number_text(*(options.*m)) : std::string("auto"); },
+                 [&](int Options::*m) { return std::to_string(options.*m); }},
+      row.member);
+}
+
+bool is_default(const Options& options, const OptionRow& row) {
+  return std::visit([&](auto Options::*m) { return options.*m == Options{}.*m; }, row.member);
+}
+
+std::string command_line_text(const Options& options) {
+  std::string text;
+  for (const OptionRow& row : kTable) {
+    if (is_default(options, row)) continue;
+    if (!text.empty()) text += ' ';
+    text.append("--").append(row.name).append(" ").append(option_text(options, row));
+  }
+  return text;
+}
+
+void validate(const Options& options) {
+  for (const OptionRow& row : kTable)
+    if (!in_range(row, options)) {
+      const bool named = !std::holds_alternative<Preset Options::*>(row.member);
+      refuse(row, named ? option_text(options, row) : std::to_string(static_cast<int>(options.preset)));
+    }
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,125 @@
+#include "manual.h"
+
+#include "arguments.h"
+#include "inkgrid/inkgrid.h"
+#include "options.h"
+
+namespace inkgrid::cli {
+namespace {
+
+constexpr std::string_view kSummary = "line drawings to vector curves";
+constexpr std::string_view kUsage = "inkgrid [OPTION]... DRAWING...";
+constexpr std::string_view kDescription =
+    "Finds the curves that the strokes of a drawing follow, joined where they meet, and writes them as SVG beside the drawing. "
+    "A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for standard input.";
+constexpr std::string_view kParameters =
+    "Lengths in strokes are multiples of the drawing's average stroke width. Sections are those of the paper that the method "
+    "follows: Integer-Grid Sketch Simplification and Vectorization, Stanko et al., 2020.";
+constexpr std::string_view kExitStatus[][2] = {
+    {"0", "the curves were written"},
+    {"1", "the command line, or an option, is wrong"},
+    {"2", "a file can't be read, understood or written"},
+    {"3", "the numerics failed"},
+};
+
+constexpr std::size_t kIndent = 8;
+constexpr std::size_t kColumns = 80;
+
+// One entry of either table, as text.
+struct Entry {
+  std::string flags;  // "-o, --output FILE"
+  std::string help;
+};
+
+Entry entry_of(const CommandOption& option) {
+  std::string flags = option.letter.empty() ? "" : std::string(option.letter) + ", ";
+  flags += option.name;
+  if (!option.value.empty()) flags.append(" ").append(option.value);
+  return {flags, std::string(option.help)};
+}
+
+std::string value_name(const OptionRow& row) {
+  if (std::holds_alternative<Preset Options::*>(row.member)) return "NAME";
+  return std::holds_alternative<int Options::*>(row.member) ? "COUNT" : "NUMBER";
+}
+
+Entry entry_of(const OptionRow& row) {
+  std::string help(row.help);
+  help += ": " + accepted_values(row);
+  if (!row.unit.empty()) help.append(", ").append(row.unit);
+  help += "; default " + option_text(Options{}, row);
+  if (!row.section.empty()) help.append("; section ").append(row.section);
+  return {"--" + std::string(row.name) + " " + value_name(row), help};
+}
+
+// Broken between words, each line indented.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  std::string result;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const bool fits = column > 0 && column + 1 + word.size() <= kColumns;
+    if (!fits) result += (column > 0 ? "\n" : "") + std::string(indent, ' ');
+    if (fits) result += ' ';
+    result += word;
+    column = (fits ? column + 1 : indent) + word.size();
+  }
+  return result + "\n";
+}
+
+std::string help_entry(const Entry& entry) {
+  return "  " + entry.flags + "\n" + wrapped(entry.help, kIndent);
+}
+
+std::string roff(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string roff_entry(const Entry& entry) {
+  return ".TP\n.B " + roff(entry.flags) + "\n" + roff(entry.help) + ".\n";
+}
+
+template <class Format>
+std::string all_entries(const auto& table, Format format) {
+  std::string text;
+  for (const auto& row : table) text += format(entry_of(row));
+  return text;
+}
+
+}  // namespace
+
+std::string help_text() {
+  std::string text = "Usage: " + std::string(kUsage) + "\n\n" + wrapped(kDescription, 0) + "\n";
+  text += all_entries(command_options(), help_entry);
+  text += "\n" + wrapped("Parameters of the method. " + std::string(kParameters), 0) + "\n";
+  text += all_entries(option_table(), help_entry);
+  text += "\nExit status:\n";
+  for (const auto& [code, meaning] : kExitStatus) text.append("  ").append(code).append("  ").append(meaning).append("\n");
+  return text;
+}
+
+std::string manual_page() {
+  std::string text = ".TH INKGRID 1 \"\" \"inkgrid " + std::string(version()) + "\" \"User Commands\"\n";
+  text += ".SH NAME\ninkgrid \\- " + roff(kSummary) + "\n";
+  text += ".SH SYNOPSIS\n.B inkgrid\n[\\fIOPTION\\fR]... \\fIDRAWING\\fR...\n";
+  text += ".SH DESCRIPTION\n" + roff(kDescription) + "\n";
+  text += ".SH OPTIONS\n" + all_entries(command_options(), roff_entry);
+  text += ".SH PARAMETERS\n" + roff(kParameters) + "\n" + all_entries(option_table(), roff_entry);
+  text += ".SH EXIT STATUS\n";
+  for (const auto& [code, meaning] : kExitStatus) text += roff_entry({std::string(code), std::string(meaning)});
+  text += ".SH EXAMPLES\n.nf\n" + roff("inkgrid drawing.png\ninkgrid sketch.jpg --preset rough --spacing 3 -o curves.svg\n") +
+          roff("scanimage --format=png | inkgrid - > curves.svg\n") + ".fi\n";
+  return text;
+}
+
+}  // namespace inkgrid::cli

@@ -1,0 +1,90 @@
+#include "report_json.h"
+
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "options.h"
+
+namespace inkgrid {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Three significant digits are what a person wants to read.
+std::string brief(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr};
+}
+
+struct JsonValue {
+  const Options& options;
+  const OptionRow& row;
+
+  Json operator()(Preset Options::*) const { return option_text(options, row); }
+  Json operator()(std::optional<double> Options::*member) const {
+    const std::optional<double> value = options.*member;
+    return value ? Json(*value) : Json("auto");
+  }
+  Json operator()(auto Options::*member) const { return options.*member; }
+};
+
+Json options_json(const Options& options) {
+  Json json = Json::object();
+  for (const OptionRow& row : option_table()) json[std::string(row.name)] = std::visit(JsonValue{options, row}, row.member);
+  return json;
+}
+
+Json seconds_json(const Report& report) {
+  Json json = Json::object();
+  for (const auto& [stage, seconds] : report.seconds) json[stage] = seconds;
+  return json;
+}
+
+}  // namespace
+
+std::string choice_text(const Report& report) {
+  return report.preset + " drawing: " + (report.inverted ? "light lines, " : "") + "threshold " + brief(report.threshold) +
+         ", stroke width " + brief(report.stroke_width) + " px, reach " + brief(report.reach) + ", spacing " +
+         brief(report.spacing);
+}
+
+std::string run_description(const Options& options, const Report& report) {
+  const std::string given = command_line_text(options);
+  const std::string chosen = report.preset.empty() ? "" : " (" + choice_text(report) + ")";
+  return std::string("inkgrid ") + version() + (given.empty() ? "" : " " + given) + chosen;
+}
+
+std::string report_json(const Options& options, const Report& report) {
+  const Json json{{"version", version()},
+                  {"options", options_json(options)},
+                  {"threshold", report.threshold},
+                  {"inverted", report.inverted},
+                  {"stroke_width", report.stroke_width},
+                  {"ink_pixels", report.ink_pixels},
+                  {"preset", report.preset},
+                  {"reach", report.reach},
+                  {"spacing", report.spacing},
+                  {"vertices", report.vertices},
+                  {"triangles", report.triangles},
+                  {"components", report.components},
+                  {"holes", report.holes},
+                  {"field_rounds", report.field_rounds},
+                  {"degenerate_fraction", report.degenerate_fraction},
+                  {"singularities", report.singularities},
+                  {"cuts", report.cuts},
+                  {"cut_integers", report.cut_integers},
+                  {"snapping_integers", report.snapping_integers},
+                  {"alignment_energy", report.alignment_energy},
+                  {"snapping_energy", report.snapping_energy},
+                  {"fallback_components", report.fallback_components},
+                  {"nodes", report.nodes},
+                  {"edges", report.edges},
+                  {"curves", report.curves},
+                  {"segments", report.segments},
+                  {"seconds", seconds_json(report)},
+                  {"warnings", report.warnings}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace inkgrid
