@@ -1,2 +1,41 @@
 #include "exact_map.h"
-namespace inkgrid { ExactMap round_map(const GridMap&) { throw Error(ErrorCode::numerics, "not built yet"); } }
+
+#include <cmath>
+
+namespace inkgrid {
+namespace {
+
+// Beyond this a coordinate is the trace of a failed solve; kept away from it, sums of coordinates and shifts never overflow.
+constexpr double kLargestCoordinate = 0x1p30;  // grid units
+
+std::int64_t rounded(double value, double units_per_grid) {
+  return std::abs(value) < kLargestCoordinate ? std::llround(value * units_per_grid) : 0;  // NaN compares false
+}
+
+std::int64_t regular_coordinate(double value) {
+  const std::int64_t fixed = rounded(value, static_cast<double>(kFixedOne));
+  return fixed % kFixedOne == 0 ? fixed + 1 : fixed;
+}
+
+std::int64_t half_integer_coordinate(double value) {
+  return rounded(value, 2) * (kFixedOne / 2);
+}
+
+}  // namespace
+
+ExactMap round_map(const GridMap& map) {
+  std::vector<IVec2> base(map.base.size());
+  for (std::size_t v = 0; v < base.size(); ++v) {
+    const Vec2 b = map.base[v];
+    base[v] = map.half_integer[v] ? IVec2{half_integer_coordinate(b.x), half_integer_coordinate(b.y)}
+                                  : IVec2{regular_coordinate(b.x), regular_coordinate(b.y)};
+  }
+  ExactMap exact{std::vector<IVec2>(map.corner_base.size()), map.transitions};
+  for (std::size_t c = 0; c < exact.uv.size(); ++c) {
+    exact.uv[c] =
+        turned(base[static_cast<std::size_t>(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * map.corner_shift[c];
+  }
+  return exact;
+}
+
+}  // namespace inkgrid
