@@ -17,8 +17,8 @@ using Vector = Eigen::VectorXcd;
 // Balance of the terms (the paper leaves it to Bessmeltsev and Solomon 2019); with these the energy does not change when the
 // drawing is scaled.
 constexpr double kAlignment = 1.0;           // per px of rim, over the stroke width
-constexpr double kSmoothness = 0.1;          // of the Dirichlet energy
-constexpr double kOrthogonality = 0.1;       // per unit of weight, times area over the stroke width squared
+constexpr double kSmoothness = 4.0;          // of the Dirichlet energy
+constexpr double kOrthogonality = 0.2;       // per unit of weight, times area over the stroke width squared
 constexpr double kRestOrthogonality = 1e-6;  // keeps the first round definite where a component knows one direction only
 
 constexpr int kMostIterations = 12;  // of a re-weighting round before the factorisation is renewed

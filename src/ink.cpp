@@ -106,18 +106,17 @@ bool is_centre(const Raster<std::uint16_t>& depth, int x, int y) {
   return true;
 }
 
-// Section 5: twice the L1 depth, averaged over the centre lines.  The depth of a pixel is counted to the far side of the
-// background pixel's rim, hence the one less.
+// Section 5: the L1 depth of the centre lines, averaged, and twice that.
 double average_stroke_width(const Raster<std::uint16_t>& depth) {
   double sum = 0;
   long count = 0;
   for (int y = 0; y < depth.height; ++y)
     for (int x = 0; x < depth.width; ++x)
       if (is_centre(depth, x, y) && depth(x, y) != kFar) {
-        sum += 2.0 * depth(x, y) - 1;
+        sum += 2.0 * depth(x, y);
         ++count;
       }
-  return count ? std::max(1.0, sum / static_cast<double>(count)) : std::max(1, std::min(depth.width, depth.height));
+  return count ? sum / static_cast<double>(count) : std::min(depth.width, depth.height);
 }
 
 // The depth of the centre line that each stroke pixel belongs to: climbing the depth to its summit.
