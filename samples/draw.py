@@ -3,13 +3,16 @@
 from pathlib import Path
 
 import clean
+import objects
 import page
+import rough
+import special
 
 HERE = Path(__file__).resolve().parent
 
 
 def main():
-    for drawing in clean.drawings():
+    for drawing in [*clean.drawings(), objects.objects(), *special.drawings(), *rough.drawings()]:
         (HERE / f'{drawing.name}.svg').write_text(page.picture(drawing))
         (HERE / 'truth' / f'{drawing.name}.gt.svg').write_text(page.truth(drawing))
 

@@ -1,7 +1,7 @@
 """A drawing and its two SVG texts: the picture, and the curves that were meant."""
 from dataclasses import dataclass, field
 
-from strokes import number, path_data
+from strokes import number, path_data, visible
 
 
 @dataclass
@@ -48,4 +48,4 @@ def picture(drawing):
 
 def truth(drawing):
     attributes = f' data-set="{drawing.kind}" data-pen="{number(drawing.pen)}"'
-    return document(drawing, attributes, [group('#000', [stroke(*c) for c in drawing.curves])])
+    return document(drawing, attributes, [group('#000', [stroke(run, width) for curve, width in drawing.curves for run in visible(curve, drawing.width, drawing.height)])])

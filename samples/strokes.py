@@ -122,10 +122,39 @@ def at(segment, t):
     return (1 - t) ** 3 * p + 3 * (1 - t) ** 2 * t * q + 3 * (1 - t) * t * t * r + t ** 3 * s
 
 
-def on(curve, place):
-    """The point of the curve at `place`, counted in segments."""
-    i = min(int(place), len(curve) - 1)
-    return at(curve[i], place - i)
+def part(segment, t0, t1):
+    """The segment from t0 to t1, by de Casteljau's construction."""
+    mix = lambda points, t: [a + t * (b - a) for a, b in zip(points, points[1:])]
+    def halves(points, t):
+        rows = [points]
+        while len(rows[-1]) > 1:
+            rows.append(mix(rows[-1], t))
+        return tuple(row[0] for row in rows), tuple(row[-1] for row in reversed(rows))
+    return halves(halves(segment, t1)[0], t0 / t1 if t1 else 0)[1]
+
+
+def visible(curve, width, height):
+    """The runs of the curve that lie on the page."""
+    on_page = lambda p: 0 <= p.real <= width and 0 <= p.imag <= height
+    runs, open_run = [], False
+    for segment in curve:
+        places = [0.0]
+        for i in range(64):
+            low, high = i / 64, (i + 1) / 64
+            if on_page(at(segment, low)) != on_page(at(segment, high)):
+                entering = on_page(at(segment, high))
+                for _ in range(40):
+                    middle = (low + high) / 2
+                    low, high = (low, middle) if on_page(at(segment, middle)) == entering else (middle, high)
+                places.append(high)
+        for t0, t1 in zip(places, places[1:] + [1.0]):
+            inside = on_page(at(segment, (t0 + t1) / 2))
+            if inside and not open_run:
+                runs.append([])
+            if inside:
+                runs[-1].append(segment if (t0, t1) == (0, 1) else part(segment, t0, t1))
+            open_run = inside
+    return runs
 
 
 def sampled(curve, step):
