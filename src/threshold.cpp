@@ -4,7 +4,6 @@
 // Cost:   about ten passes over the pixels; apart from the results one float a pixel, and the runs of the mask.
 #include "threshold.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -17,8 +16,10 @@
 namespace inkgrid {
 namespace {
 
-constexpr int kBlocks = 256;           // the paper is estimated on about this many blocks along the shorter side
-constexpr int kWindow = 20;            // blocks: no stroke is wider than twice this
+constexpr int kBlocks = 256;    // the paper is estimated on about this many blocks along the shorter side
+constexpr int kWindow = 20;     // blocks: no stroke is wider than twice this
+constexpr float kFade = 0.97f;  // a block
+constexpr int kFieldRounds = 2;
 constexpr int kLocal = 2;              // px: over this distance the ink of an edge falls to none
 constexpr int kClimb = 3;              // px: and over this one more where the edge is soft
 constexpr int kBeyond = 3;             // px
@@ -47,16 +48,15 @@ struct View {
 
 struct Histogram {
   std::vector<long> count;
-  double low, high;
+  float low, scale;
 
-  Histogram(int bins, double from, double to) : count(static_cast<std::size_t>(bins)), low(from), high(to) {}
-  void add(double value) {
-    const double t = (value - low) / (high - low) * static_cast<double>(count.size());
-    ++count[static_cast<std::size_t>(std::clamp(t, 0.0, static_cast<double>(count.size() - 1)))];
+  Histogram(int bins, float from, float to)
+      : count(static_cast<std::size_t>(bins)), low(from), scale(static_cast<float>(bins) / (to - from)) {}
+  void add(float value) {
+    ++count[static_cast<std::size_t>(std::clamp((value - low) * scale, 0.0f, static_cast<float>(count.size() - 1)))];
   }
   // The value below which the given fraction of the samples in [from, to) lies; `from` when there are none.
   double quantile(double fraction, double from, double to) const {
-    const double scale = static_cast<double>(count.size()) / (high - low);
     const auto bin = [&](double v) {
       return static_cast<std::size_t>(std::clamp((v - low) * scale, 0.0, static_cast<double>(count.size())));
     };
@@ -79,68 +79,75 @@ template <class Before>
 Raster<float> block_extreme(const View& view, int size, Before before) {
   Raster<float> blocks((view.width() + size - 1) / size, (view.height() + size - 1) / size, before(1.0f, 0.0f) ? -1.0f : 256.0f);
   for (int y = 0; y < view.height(); ++y)
-    for (int x = 0; x < view.width(); ++x) {
-      float& b = blocks(x / size, y / size);
-      if (before(static_cast<float>(view(x, y)), b)) b = static_cast<float>(view(x, y));
+    for (int i = 0; i < blocks.width; ++i) {
+      std::uint8_t extreme = view(i * size, y);
+      for (int x = i * size + 1; x < std::min(view.width(), (i + 1) * size); ++x)
+        if (before(view(x, y), extreme)) extreme = view(x, y);
+      float& block = blocks(i, y / size);
+      if (before(static_cast<float>(extreme), block)) block = extreme;
     }
   return blocks;
 }
 
+// Pixels darker and lighter than the middle between two tones.
+struct Share {
+  long dark = 0, light = 0;
+
+  void count(float tone, float middle) {
+    dark += tone < middle;
+    light += tone > middle;
+  }
+};
+
 // Which of two tones is the paper: the more frequent one, near the strokes, in the whole and along the border.
 bool light_on_dark(const View& view) {
-  const int size = block_size(view);
+  const int size = block_size(view), right = view.width() - 1, bottom = view.height() - 1;
   const Raster<float> lightest = window_extreme(block_extreme(view, size, std::greater<>()), kWindow, std::greater<>());
   const Raster<float> darkest = window_extreme(block_extreme(view, size, std::less<>()), kWindow, std::less<>());
   const float white = *std::max_element(lightest.data.begin(), lightest.data.end());
   const float black = *std::min_element(darkest.data.begin(), darkest.data.end());
-  std::array<long, 3> dark{}, light{};  // near strokes, in the whole, along the border
-  const auto count = [&](int which, float tone, float middle) {
-    dark[static_cast<std::size_t>(which)] += tone < middle;
-    light[static_cast<std::size_t>(which)] += tone > middle;
-  };
-  for (int y = 0; y < view.height(); ++y)
-    for (int x = 0; x < view.width(); ++x) {
-      const float tone = view(x, y), high = lightest(x / size, y / size), low = darkest(x / size, y / size);
-      if (high - low > 0.3f * (white - black)) count(0, tone, (high + low) / 2);
-      count(1, tone, (white + black) / 2);
-      if (x == 0 || y == 0 || x + 1 == view.width() || y + 1 == view.height()) count(2, tone, (white + black) / 2);
+  const float middle = (white + black) / 2;
+  Share near, whole, border;
+  for (int y = 0; y <= bottom; ++y)
+    for (int i = 0; i < lightest.width; ++i) {
+      const float high = lightest(i, y / size), low = darkest(i, y / size);
+      const bool has_stroke = high - low > 0.3f * (white - black);
+      for (int x = i * size; x < std::min(view.width(), (i + 1) * size); ++x) {
+        whole.count(view(x, y), middle);
+        if (has_stroke) near.count(view(x, y), (high + low) / 2);
+      }
     }
-  return dark[0] > light[0] && dark[1] > light[1] && (dark[2] > light[2] || dark[1] > 3 * light[1]);
+  for (int x = 0; x <= right; ++x) border.count(view(x, 0), middle), border.count(view(x, bottom), middle);
+  for (int y = 0; y <= bottom; ++y) border.count(view(0, y), middle), border.count(view(right, y), middle);
+  return near.dark > near.light && whole.dark > whole.light && (border.dark > border.light || whole.dark > 3 * whole.light);
 }
+
+// Linear interpolation between the centres of blocks: for each pixel along one axis the block before it and the part of the next.
+struct Axis {
+  std::vector<int> first;
+  std::vector<float> part;
+
+  Axis(int pixels, int block, int blocks) {
+    for (int p = 0; p < pixels; ++p) {
+      const float at = (static_cast<float>(p) + 0.5f) / static_cast<float>(block) - 0.5f;
+      const float inside = std::clamp(at, 0.0f, static_cast<float>(blocks - 1));
+      first.push_back(std::min(static_cast<int>(inside), std::max(0, blocks - 2)));
+      part.push_back(inside - static_cast<float>(first.back()));
+    }
+  }
+};
 
 // The light of the bare paper, smooth over the picture.
 struct Paper {
   int block = 1;        // px
   Raster<float> level;  // grey level at the centre of each block
-
-  // The level at the pixels of row y.
-  void row(int y, std::vector<float>& out) const {
-    const auto place = [&](int pixel, int blocks, int& first, float& t) {
-      const float p =
-          std::clamp((static_cast<float>(pixel) + 0.5f) / static_cast<float>(block) - 0.5f, 0.0f, static_cast<float>(blocks - 1));
-      first = std::min(static_cast<int>(p), std::max(0, blocks - 2));
-      t = p - static_cast<float>(first);
-    };
-    int j, i;
-    float v, u;
-    place(y, level.height, j, v);
-    const int below = std::min(j + 1, level.height - 1);
-    for (int x = 0; x < static_cast<int>(out.size()); ++x) {
-      place(x, level.width, i, u);
-      const int right = std::min(i + 1, level.width - 1);
-      const float a = level(i, j) + u * (level(right, j) - level(i, j));
-      const float b = level(i, below) + u * (level(right, below) - level(i, below));
-      out[static_cast<std::size_t>(x)] = std::max(1.0f, a + v * (b - a));
-    }
-  }
 };
 
-// A smooth field through samples known only in places: sums of values and their weights, averaged over ever smaller
-// neighbourhoods, each falling back on the larger one where it knows little.
-Raster<float> smooth_field(const Raster<float>& sum, const Raster<float>& weight, float full_weight) {
-  double total = 0, total_weight = 0;
-  for (std::size_t i = 0; i < sum.data.size(); ++i) total += sum.data[i], total_weight += weight.data[i];
-  Raster<float> field(sum.width, sum.height, static_cast<float>(total_weight > 0 ? total / total_weight : 255.0));
+// The mean over ever smaller neighbourhoods, each falling back on the larger one where it knows little.
+Raster<float> local_mean(const Raster<float>& sum, const Raster<float>& weight, float full_weight) {
+  const double total = std::accumulate(sum.data.begin(), sum.data.end(), 0.0);
+  const double total_weight = std::accumulate(weight.data.begin(), weight.data.end(), 0.0);
+  Raster<float> field(sum.width, sum.height, static_cast<float>(total_weight > 0 ? total / total_weight : 0.0));
   for (const int radius : {64, 16, 4}) {
     Raster<float> s = sum, w = weight;
     for (Raster<float>* r : {&s, &w})
@@ -154,17 +161,49 @@ Raster<float> smooth_field(const Raster<float>& sum, const Raster<float>& weight
   return field;
 }
 
+// A smooth field through samples known only in places, given as sums of values and of weights.  The mean of what the field
+// still misses is added again: a slope that ends at the border of the picture or of the samples would else come out flat.
+Raster<float> smooth_field(const Raster<float>& sum, const Raster<float>& weight, float full_weight) {
+  Raster<float> field = local_mean(sum, weight, full_weight);
+  for (int round = 0; round < kFieldRounds; ++round) {
+    Raster<float> missing = sum;
+    for (std::size_t i = 0; i < sum.data.size(); ++i) missing.data[i] -= weight.data[i] * field.data[i];
+    const Raster<float> correction = local_mean(missing, weight, full_weight);
+    for (std::size_t i = 0; i < field.data.size(); ++i) field.data[i] += correction.data[i];
+  }
+  return field;
+}
+
+// The least light of paper that is near lighter paper: it fades by no more than kFade a block.
+Raster<float> fading(Raster<float> level) {
+  filter_lines(level, [](std::vector<float>& line) {
+    for (std::size_t i = 1; i < line.size(); ++i) line[i] = std::max(line[i], kFade * line[i - 1]);
+    for (std::size_t i = line.size() - 1; i > 0; --i) line[i - 1] = std::max(line[i - 1], kFade * line[i]);
+  });
+  return level;
+}
+
+// Fills in what is dark and narrower than the window.  The margin lets the window hang over the border, where a slope of
+// the light would else be cut off.
+Raster<float> close_gaps(const Raster<float>& level) {
+  Raster<float> padded(level.width + 2 * kWindow, level.height + 2 * kWindow, 0.0f);
+  for (int y = 0; y < level.height; ++y) std::copy_n(&level.data[level.index(0, y)], level.width, &padded(kWindow, y + kWindow));
+  padded = window_extreme(window_extreme(std::move(padded), kWindow, std::greater<>()), kWindow, std::less<>());
+  Raster<float> closed(level.width, level.height);
+  for (int y = 0; y < level.height; ++y) std::copy_n(&padded(kWindow, y + kWindow), level.width, &closed(0, y));
+  return closed;
+}
+
 // Upper envelope: what remains when all that is dark and narrower than the window is filled in.
 Paper first_paper(const View& view) {
   const int size = block_size(view);
-  Raster<float> level = window_extreme(block_extreme(view, size, std::greater<>()), kWindow, std::greater<>());
-  level = window_extreme(std::move(level), kWindow, std::less<>());
-  const Raster<float> around = window_extreme(level, 3 * kWindow, std::greater<>());
+  Raster<float> level = close_gaps(block_extreme(view, size, std::greater<>()));
+  const Raster<float> least = fading(level);
   const float white = *std::max_element(level.data.begin(), level.data.end());
   Raster<float> known(level.width, level.height, 1.0f);
   for (std::size_t i = 0; i < level.data.size(); ++i) {
     // Far darker than the paper around it: a patch filled with ink, wider than the window.
-    if (level.data[i] < 0.55f * around.data[i] || level.data[i] < 0.25f * white) known.data[i] = level.data[i] = 0;
+    if (level.data[i] < 0.7f * least.data[i] || level.data[i] < 0.2f * white) known.data[i] = level.data[i] = 0;
   }
   return {size, smooth_field(level, known, 1)};
 }
@@ -172,10 +211,21 @@ Paper first_paper(const View& view) {
 // Calls visit(x, y, light) row by row; light = 1 on bare paper.
 template <class Visit>
 void over_light(const View& view, const Paper& paper, Visit visit) {
-  std::vector<float> level(static_cast<std::size_t>(view.width()));
+  const Raster<float>& level = paper.level;
+  const Axis across(view.width(), paper.block, level.width), down(view.height(), paper.block, level.height);
+  std::vector<float> row(static_cast<std::size_t>(level.width + 1));
   for (int y = 0; y < view.height(); ++y) {
-    paper.row(y, level);
-    for (int x = 0; x < view.width(); ++x) visit(x, y, static_cast<float>(view(x, y)) / level[static_cast<std::size_t>(x)]);
+    const int above = down.first[static_cast<std::size_t>(y)], below = std::min(above + 1, level.height - 1);
+    const float v = down.part[static_cast<std::size_t>(y)];
+    for (int i = 0; i <= level.width; ++i) {
+      const int block = std::min(i, level.width - 1);
+      row[static_cast<std::size_t>(i)] = level(block, above) + v * (level(block, below) - level(block, above));
+    }
+    for (int x = 0; x < view.width(); ++x) {
+      const auto i = static_cast<std::size_t>(across.first[static_cast<std::size_t>(x)]);
+      const float paper_here = row[i] + across.part[static_cast<std::size_t>(x)] * (row[i + 1] - row[i]);
+      visit(x, y, static_cast<float>(view(x, y)) / std::max(1.0f, paper_here));
+    }
   }
 }
 
@@ -270,7 +320,7 @@ bool goes_on_beyond(const Raster<float>& darkness, Pixel p, Pixel core, double w
             y = p.y + static_cast<int>(std::lround(kBeyond * dy / length));
   if (!darkness.contains(x, y) || darkness(x, y) <= weak) return false;
   const float ratio = darkness(x, y) / darkness(p.x, p.y);
-  return ratio > 0.6f && ratio < 1.4f;
+  return ratio > 0.5f && ratio < 1.4f;
 }
 
 struct LocalInk {
@@ -281,13 +331,14 @@ struct LocalInk {
 // Ink is at least half as dark as the core of its stroke.
 LocalInk half_of_local_ink(const Raster<float>& darkness, double weak) {
   LocalInk local{Raster<std::uint8_t>(darkness.width, darkness.height), 0};
+  const float certain = 0.5f * *std::max_element(darkness.data.begin(), darkness.data.end());
   double sum = 0;
   long pixels = 0;
   for (int y = 0; y < darkness.height; ++y)
     for (int x = 0; x < darkness.width; ++x) {
       const float here = darkness(x, y);
       if (here <= weak) continue;
-      const Pixel core = core_of(darkness, {x, y});
+      const Pixel core = here > certain ? Pixel{x, y} : core_of(darkness, {x, y});
       const float half = 0.5f * darkness(core.x, core.y);
       if (here <= half && !goes_on_beyond(darkness, {x, y}, core, weak)) continue;
       local.ink(x, y) = 1;
