@@ -5,6 +5,7 @@
 
 #include "base/sample.h"
 #include "edge_support.h"
+#include "polyline.h"
 
 namespace inkgrid {
 namespace {

@@ -1,12 +1,8 @@
 #include "edge_support.h"
 
-namespace inkgrid {
+#include "polyline.h"
 
-std::vector<double> lengths_along(const std::vector<Vec2>& path) {
-  std::vector<double> lengths(path.size(), 0);
-  for (std::size_t i = 1; i < path.size(); ++i) lengths[i] = lengths[i - 1] + norm(path[i] - path[i - 1]);
-  return lengths;
-}
+namespace inkgrid {
 
 namespace {
 
@@ -32,17 +28,10 @@ std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh&
 }
 
 std::vector<Vec2> cut_out(const std::vector<Vec2>& path, const std::vector<double>& lengths, Interval part) {
-  std::vector<Vec2> points;
-  const auto at = [&](double s) {
-    std::size_t i = 1;
-    while (i + 1 < lengths.size() && lengths[i] < s) ++i;
-    const double step = lengths[i] - lengths[i - 1];
-    return step > 0 ? lerp(path[i - 1], path[i], (s - lengths[i - 1]) / step) : path[i];
-  };
-  points.push_back(part.from <= lengths.front() ? path.front() : at(part.from));
+  std::vector<Vec2> points{point_at(path, lengths, part.from)};
   for (std::size_t i = 0; i < path.size(); ++i)
     if (lengths[i] > part.from && lengths[i] < part.to) points.push_back(path[i]);
-  points.push_back(part.to >= lengths.back() ? path.back() : at(part.to));
+  points.push_back(point_at(path, lengths, part.to));
   return points;
 }
 

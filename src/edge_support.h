@@ -15,9 +15,6 @@ struct Interval {
   double to = 0;
 };
 
-// Length along the path up to each of its points.
-std::vector<double> lengths_along(const std::vector<Vec2>& path);
-
 // The parts of the edge that run along a stroke: on ink, in faces whose label agrees (an unlabelled face on ink
 // agrees with everything).  Gaps shorter than `bridged` px between two such parts are closed.
 std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh& mesh, const std::vector<Label>& labels,

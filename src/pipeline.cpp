@@ -1,7 +1,11 @@
 // The method from drawing to curves, section 3: each line is a stage, and each stage is a file of its name.
 #include "pipeline.h"
 
+#include <algorithm>
 #include <chrono>
+
+#include "ends.h"
+#include "junctions.h"
 
 namespace inkgrid {
 namespace {
@@ -72,6 +76,20 @@ void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& re
   for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
 }
 
+// The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
+Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach) {
+  const double width = ink.stroke_width;
+  const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * width};
+  const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
+  const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
+    Chains to{from.junctions, {}};
+    for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
+    return to;
+  };
+  Chains attached = attach_ends(refined(chains, follow_ridges(chains.chains, ink, ridge)), ink, ends);
+  return reach_ends(locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width), ink, ends);
+}
+
 }  // namespace
 
 Stages run_stages(const Image& image, const Options& options, const Control& control) {
@@ -112,6 +130,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
     return chain_strokes(stages.graph, stages.mesh, stages.labels, stages.ink, {report.reach, options.coverage_bins});
   });
   const double width = stages.ink.stroke_width;
+  stages.chains = run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach); });
   const FitOptions fit_options{options.tolerance.value_or(report.reach) * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);

@@ -1,0 +1,273 @@
+#include "ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/sample.h"
+#include "ownership.h"
+#include "polyline.h"
+
+namespace inkgrid {
+namespace {
+
+// One end of a chain.
+struct End {
+  int chain = -1;
+  bool at_start = true;
+};
+
+std::size_t end_index(const Chain& chain, bool at_start) {
+  return at_start ? 0 : chain.points.size() - 1;
+}
+
+// Outward direction over about `span` px before the end.
+Vec2 outward(const Chain& chain, bool at_start, double span) {
+  const Vec2 tip = chain.points[end_index(chain, at_start)];
+  const int n = static_cast<int>(chain.points.size());
+  Vec2 base = tip;
+  for (int k = 1; k < n; ++k) {
+    base = chain.points[static_cast<std::size_t>(at_start ? k : n - 1 - k)];
+    if (norm(tip - base) >= span) break;
+  }
+  return unit(tip - base);
+}
+
+bool on_ink(const Ink& ink, Vec2 p) {
+  return nearest(ink.mask, p, std::uint8_t{0}) != 0;
+}
+
+bool is_free(const Chain& chain, bool at_start) {
+  return !chain.closed && (at_start ? chain.start_junction : chain.end_junction) < 0;
+}
+
+// What a free end runs into.
+struct Meeting {
+  End end;
+  int chain = -1;
+  int point = -1;
+  double distance = 0;
+};
+
+std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownership, const Ink& ink, End end,
+                                  const EndOptions& options) {
+  const auto& chain = chains.chains[static_cast<std::size_t>(end.chain)];
+  const Vec2 tip = chain.points[end_index(chain, end.at_start)];
+  const Vec2 direction = outward(chain, end.at_start, chain.width);
+  const auto lengths = lengths_along(chain.points);
+  double paper = 0;
+  for (double t = 0; t < options.reach; t += 0.5) {
+    const Vec2 q = tip + t * direction;
+    paper = on_ink(ink, q) ? 0 : paper + 0.5;
+    if (paper > options.bridge) return std::nullopt;
+    const int owner = nearest(ownership.owner, q, -1);
+    if (owner < 0) continue;
+    const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
+    const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
+    if (sample.chain == end.chain) {
+      // The chain's own far part counts as another chain.
+      const double back = std::abs(lengths[static_cast<std::size_t>(sample.point)] - (end.at_start ? 0 : lengths.back()));
+      if (back < 3 * options.reach) continue;
+    }
+    return Meeting{end, sample.chain, sample.point, norm(target - tip)};
+  }
+  return std::nullopt;
+}
+
+void append(Chain& chain, bool at_start, Vec2 point) {
+  if (point == chain.points[end_index(chain, at_start)]) return;
+  chain.points.insert(at_start ? chain.points.begin() : chain.points.end(), point);
+}
+
+// Cuts every chain at the given points (index of point, junction there).
+struct Cut {
+  int point;
+  int junction;
+};
+
+std::vector<Chain> cut_chain(const Chain& chain, std::vector<Cut> cuts) {
+  std::sort(cuts.begin(), cuts.end(),
+            [](const Cut& a, const Cut& b) { return a.point != b.point ? a.point < b.point : a.junction < b.junction; });
+  if (cuts.empty()) return {chain};
+  std::vector<Chain> pieces;
+  Chain piece = chain;
+  piece.points.clear();
+  piece.closed = false;
+  piece.end_junction = -1;
+  std::size_t next = 0;
+  for (int k = 0; k < static_cast<int>(chain.points.size()); ++k) {
+    piece.points.push_back(chain.points[static_cast<std::size_t>(k)]);
+    if (next >= cuts.size() || cuts[next].point != k) continue;
+    piece.end_junction = cuts[next].junction;
+    if (piece.points.size() > 1) pieces.push_back(piece);
+    piece.points = {chain.points[static_cast<std::size_t>(k)]};
+    piece.start_junction = cuts[next].junction;
+    while (next < cuts.size() && cuts[next].point == k) ++next;
+  }
+  piece.end_junction = chain.end_junction;
+  if (piece.points.size() > 1) pieces.push_back(piece);
+  if (chain.closed && pieces.size() > 1) {
+    // The seam of a loop is no end: the last piece goes on into the first.
+    auto& last = pieces.back();
+    last.points.insert(last.points.end(), pieces.front().points.begin() + 1, pieces.front().points.end());
+    last.end_junction = pieces.front().end_junction;
+    pieces.erase(pieces.begin());
+  }
+  return pieces;
+}
+
+// A junction at, or near, a point of a chain: an existing one at its end, or a new cut.
+int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeting& meeting, double near) {
+  auto& chain = chains.chains[static_cast<std::size_t>(meeting.chain)];
+  const Vec2 target = chain.points[static_cast<std::size_t>(meeting.point)];
+  for (const bool at_start : {true, false}) {
+    if (chain.closed || norm(chain.points[end_index(chain, at_start)] - target) > near) continue;
+    int& junction = at_start ? chain.start_junction : chain.end_junction;
+    if (junction < 0) {
+      junction = static_cast<int>(chains.junctions.size());
+      chains.junctions.push_back(chain.points[end_index(chain, at_start)]);
+    }
+    return junction;
+  }
+  auto& here = cuts[static_cast<std::size_t>(meeting.chain)];
+  for (const auto& cut : here)
+    if (norm(chains.junctions[static_cast<std::size_t>(cut.junction)] - target) <= near) return cut.junction;
+  here.push_back({meeting.point, static_cast<int>(chains.junctions.size())});
+  chains.junctions.push_back(target);
+  return here.back().junction;
+}
+
+}  // namespace
+
+Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  const Ownership ownership = assign_ink(chains.chains, ink, options.bridge);
+  std::vector<Meeting> meetings;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const bool at_start : {true, false})
+      if (is_free(chains.chains[static_cast<std::size_t>(c)], at_start))
+        if (const auto meeting = meeting_of(chains, ownership, ink, {c, at_start}, options)) meetings.push_back(*meeting);
+  std::stable_sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; });
+  std::vector<std::vector<Cut>> cuts(chains.chains.size());
+  for (const auto& meeting : meetings) {
+    if (!is_free(chains.chains[static_cast<std::size_t>(meeting.end.chain)], meeting.end.at_start)) continue;
+    const int junction = junction_on(chains, cuts, meeting, 0.5 * options.reach);
+    auto& chain = chains.chains[static_cast<std::size_t>(meeting.end.chain)];
+    // A chain that would run into its own end there stays open.
+    if ((meeting.end.at_start ? chain.start_junction : chain.end_junction) == junction) continue;
+    (meeting.end.at_start ? chain.start_junction : chain.end_junction) = junction;
+  }
+  Chains result{chains.junctions, {}};
+  for (std::size_t c = 0; c < chains.chains.size(); ++c)
+    for (auto& piece : cut_chain(chains.chains[c], cuts[c])) {
+      if (piece.start_junction >= 0) append(piece, true, result.junctions[static_cast<std::size_t>(piece.start_junction)]);
+      if (piece.end_junction >= 0) append(piece, false, result.junctions[static_cast<std::size_t>(piece.end_junction)]);
+      result.chains.push_back(std::move(piece));
+    }
+  return dissolve_junctions(std::move(result));
+}
+
+Chains dissolve_junctions(Chains chains) {
+  std::vector<std::vector<End>> at(chains.junctions.size());
+  const auto collect = [&] {
+    for (auto& ends : at) ends.clear();
+    for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
+      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
+      if (chain.start_junction >= 0) at[static_cast<std::size_t>(chain.start_junction)].push_back({c, true});
+      if (chain.end_junction >= 0) at[static_cast<std::size_t>(chain.end_junction)].push_back({c, false});
+    }
+  };
+  collect();
+  for (std::size_t j = 0; j < at.size(); ++j) {
+    if (at[j].size() == 1) {
+      auto& chain = chains.chains[static_cast<std::size_t>(at[j][0].chain)];
+      (at[j][0].at_start ? chain.start_junction : chain.end_junction) = -1;
+    }
+    if (at[j].size() != 2) continue;
+    const End a = at[j][0], b = at[j][1];
+    auto& first = chains.chains[static_cast<std::size_t>(a.chain)];
+    if (a.chain == b.chain) {
+      first.closed = true;
+      first.start_junction = first.end_junction = -1;
+      first.points.back() = first.points.front();
+      continue;
+    }
+    auto& second = chains.chains[static_cast<std::size_t>(b.chain)];
+    if (a.at_start) {
+      std::reverse(first.points.begin(), first.points.end());
+      std::swap(first.start_junction, first.end_junction);
+    }
+    if (!b.at_start) {
+      std::reverse(second.points.begin(), second.points.end());
+      std::swap(second.start_junction, second.end_junction);
+    }
+    first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
+    first.end_junction = second.end_junction;
+    second.points.clear();
+    second.start_junction = second.end_junction = -1;
+    collect();
+  }
+  std::erase_if(chains.chains, [](const Chain& c) { return c.points.size() < 2; });
+  // Keep only junctions in use, in their order.
+  std::vector<int> renumbered(chains.junctions.size(), -1);
+  collect();
+  std::vector<Vec2> kept;
+  for (std::size_t j = 0; j < at.size(); ++j)
+    if (at[j].size() >= 2) {
+      renumbered[j] = static_cast<int>(kept.size());
+      kept.push_back(chains.junctions[j]);
+    }
+  for (auto& chain : chains.chains) {
+    if (chain.start_junction >= 0) chain.start_junction = renumbered[static_cast<std::size_t>(chain.start_junction)];
+    if (chain.end_junction >= 0) chain.end_junction = renumbered[static_cast<std::size_t>(chain.end_junction)];
+  }
+  chains.junctions = std::move(kept);
+  return chains;
+}
+
+namespace {
+
+// Distance along `direction` from the tip to where the ink ends; negative when the tip is on paper already.
+double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& options, double farthest) {
+  double last = 0, paper = 0;
+  if (on_ink(ink, tip)) {
+    for (double t = 0.25; t < farthest; t += 0.25) {
+      const bool ink_here = on_ink(ink, tip + t * direction);
+      paper = ink_here ? 0 : paper + 0.25;
+      if (ink_here) last = t;
+      if (paper > options.bridge) break;
+    }
+    return last;
+  }
+  for (double t = 0.25; t < farthest; t += 0.25)
+    if (on_ink(ink, tip - t * direction)) return -t;
+  return 0;
+}
+
+void cut_back(Chain& chain, bool at_start, double length) {
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+  const auto lengths = lengths_along(chain.points);
+  // A chain keeps at least a tenth of itself.
+  const double kept = std::max(lengths.back() - length, 0.1 * lengths.back());
+  const Vec2 tip = point_at(chain.points, lengths, kept);
+  while (chain.points.size() > 1 && lengths[chain.points.size() - 1] >= kept) chain.points.pop_back();
+  chain.points.push_back(tip);
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+}
+
+}  // namespace
+
+Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  for (auto& chain : chains.chains)
+    for (const bool at_start : {true, false}) {
+      if (!is_free(chain, at_start)) continue;
+      const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
+      const double further = to_ink_end(ink, tip, direction, options, 4 * ink.stroke_width) - 0.5 * chain.width;
+      if (further > 0)
+        append(chain, at_start, tip + further * direction);
+      else
+        cut_back(chain, at_start, -further);
+    }
+  return chains;
+}
+
+}  // namespace inkgrid

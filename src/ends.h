@@ -1,0 +1,26 @@
+// What:   free ends of chains: joined to what they run into, or brought to the end of their ink.
+// Source: ours; the paper's curves end at the last grid node (section 6.3).
+// Differs: docs/METHOD.md, "Ends".
+// Cost:   linear in the number of ends times the stroke width.
+#pragma once
+
+#include "chains.h"
+
+namespace inkgrid {
+
+struct EndOptions {
+  double reach = 6;   // how far an end may be from the chain it runs into, px
+  double bridge = 1;  // paper narrower than this does not end a stroke, px
+};
+
+// An end from which ink leads straight on into another chain, or into its other end, is joined to it: end to end where both are
+// free ends, by a new junction otherwise.  Junctions left with two branches are dissolved.
+Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);
+
+// Every end that is still free goes on straight, or is cut back, to half a stroke width inside the end of the ink.
+Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options);
+
+// Joins chains pairwise at junctions that only two chain ends share.
+Chains dissolve_junctions(Chains chains);
+
+}  // namespace inkgrid

@@ -1,0 +1,93 @@
+#include "junctions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polyline.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr double kStay = 0.005;  // weight of the junction's old place against each branch's line
+
+// The line along which a chain arrives, from its last points that the ink confirms.
+struct Arrival {
+  bool known = false;
+  Vec2 point;
+  Vec2 direction;
+  int last = 0;  // index of that point, counted from the junction's end
+};
+
+Arrival arrival_at(const RidgeChain& ridge, bool at_start) {
+  const int n = static_cast<int>(ridge.chain.points.size());
+  const auto index = [&](int k) { return static_cast<std::size_t>(at_start ? k : n - 1 - k); };
+  Arrival arrival;
+  int k = 0;
+  while (k < n && ridge.sections[index(k)].weight <= 0) ++k;
+  if (k >= n - 2) return arrival;
+  // Direction over about a stroke width of confirmed points.
+  const double span = std::max(2.0, ridge.chain.width);
+  int far = k + 1;
+  while (far + 1 < n && norm(ridge.chain.points[index(far)] - ridge.chain.points[index(k)]) < span) ++far;
+  arrival = {true, ridge.chain.points[index(k)], unit(ridge.chain.points[index(k)] - ridge.chain.points[index(far)]), k};
+  return arrival;
+}
+
+struct Branch {
+  int chain;
+  bool at_start;
+  Arrival arrival;
+};
+
+Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, double farthest) {
+  double a = kStay, b = 0, c = kStay;
+  Vec2 right = kStay * old;
+  int known = 0;
+  for (const auto& branch : branches) {
+    if (!branch.arrival.known) continue;
+    ++known;
+    const Vec2 normal = quarter_turn(branch.arrival.direction);
+    const double level = dot(normal, branch.arrival.point);
+    a += normal.x * normal.x;
+    b += normal.x * normal.y;
+    c += normal.y * normal.y;
+    right += level * normal;
+  }
+  if (known < 2) return old;
+  const double determinant = a * c - b * b;
+  const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
+  const double moved = norm(found - old);
+  return moved <= farthest ? found : lerp(old, found, farthest / moved);
+}
+
+// Shifts the unconfirmed end of the chain, most at its end, so that it ends at `target`.
+void bend_end(Chain& chain, const Branch& branch, Vec2 target) {
+  const int n = static_cast<int>(chain.points.size());
+  const auto index = [&](int k) { return static_cast<std::size_t>(branch.at_start ? k : n - 1 - k); };
+  const int last = std::min(n - 1, std::max(1, branch.arrival.known ? branch.arrival.last : n / 2));
+  const Vec2 shift = target - chain.points[index(0)];
+  for (int k = 0; k < last; ++k) chain.points[index(k)] += (1 - static_cast<double>(k) / last) * shift;
+  chain.points[index(0)] = target;
+}
+
+}  // namespace
+
+Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double farthest) {
+  std::vector<std::vector<Branch>> branches(junctions.size());
+  for (int c = 0; c < static_cast<int>(ridges.size()); ++c) {
+    const auto& ridge = ridges[static_cast<std::size_t>(c)];
+    if (ridge.chain.start_junction >= 0)
+      branches[static_cast<std::size_t>(ridge.chain.start_junction)].push_back({c, true, arrival_at(ridge, true)});
+    if (ridge.chain.end_junction >= 0)
+      branches[static_cast<std::size_t>(ridge.chain.end_junction)].push_back({c, false, arrival_at(ridge, false)});
+  }
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    junctions[j] = meeting_point(branches[j], junctions[j], farthest);
+    for (const auto& branch : branches[j]) bend_end(ridges[static_cast<std::size_t>(branch.chain)].chain, branch, junctions[j]);
+  }
+  Chains chains{std::move(junctions), {}};
+  for (auto& ridge : ridges) chains.chains.push_back(std::move(ridge.chain));
+  return chains;
+}
+
+}  // namespace inkgrid

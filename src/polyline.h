@@ -1,0 +1,22 @@
+// Small helpers on point sequences.
+#pragma once
+
+#include <vector>
+
+#include "inkgrid/vec2.h"
+
+namespace inkgrid {
+
+// Length along the path up to each of its points; one 0 for a single point.
+std::vector<double> lengths_along(const std::vector<Vec2>& path);
+
+// The point at length s along the path, clamped to its ends.
+Vec2 point_at(const std::vector<Vec2>& path, const std::vector<double>& lengths, double s);
+
+// Points at equal steps of about `step`, both ends kept to the last digit; at least two points.
+std::vector<Vec2> resampled(const std::vector<Vec2>& path, double step);
+
+// Unit tangent at point k from the points within `span` of it on either side (by index); closed paths wrap (front == back).
+Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed);
+
+}  // namespace inkgrid
