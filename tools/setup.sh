@@ -1,0 +1,46 @@
+# Sourced by ./run and ./test: packages and build.  Says what it does on standard error.
+
+say() { echo "$*" >&2; }
+
+fail() { say "$0: $*"; exit 1; }
+
+# The packages of packages.txt that $1 ("run", or "test" for all) needs and that are not installed.
+missing_packages() {
+  awk -v who="$1" '$1 !~ /^#/ && NF && ($2 == "run" || who == "test") { print $1 }' packages.txt | while read -r package; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || echo "$package"
+  done
+}
+
+# "sudo" where it is needed and there.
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_packages() {
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null || {
+    say "This is no Debian machine: the packages of packages.txt are taken to be there."
+    return
+  }
+  local missing
+  missing=$(missing_packages "$1" | tr '\n' ' ')
+  [ -n "$missing" ] || return 0
+  say "Installing $missing"
+  local by_hand="please install them first: apt-get install $missing"
+  [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null || fail "neither root nor sudo, so packages can't be installed; $by_hand"
+  export DEBIAN_FRONTEND=noninteractive
+  as_root apt-get -qq update >&2 || fail "apt-get update failed; $by_hand"
+  # shellcheck disable=SC2086
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >&2 || fail "apt-get install failed; $by_hand"
+}
+
+# configure TESTS (ON or OFF): build/ stays as it is where nothing changed.
+configure() {
+  cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="$1" >&2 || fail "cmake failed"
+}
+
+# build [TARGET]...
+build() {
+  local targets=()
+  [ $# -eq 0 ] || targets=(--target "$@")
+  cmake --build build --parallel "$(nproc)" "${targets[@]}" >&2 || fail "the build failed"
+}
