@@ -1,0 +1,89 @@
+#include "snap_regions.h"
+
+#include <cmath>
+
+#include "base/sample.h"
+#include "base/union_find.h"
+
+namespace inkgrid {
+
+namespace {
+
+// A weight below this cannot move a coordinate, but would leave an integer undetermined.
+constexpr double kLeastWeight = 1e-9;
+
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+// Coordinates that map the frame to (1 / unit, 0) and (0, 1 / unit), for one face at a time.
+double local_estimate(const Charts& charts, int f, int coordinate, Vec2 p, double unit) {
+  const Vec2 s = charts.s[at(f)], t = charts.t[at(f)];
+  return (coordinate == 0 ? cross(p, t) : cross(s, p)) / (cross(s, t) * unit);
+}
+
+void merge_within_face(const BandMesh& mesh, const Charts& charts, int f, int coordinate, double unit, double merge_difference,
+                       UnionFind& regions) {
+  const auto& face = mesh.faces[at(f)];
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    const Vec2 side = mesh.points[at(face[at(next)])] - mesh.points[at(face[at(k)])];
+    if (std::abs(local_estimate(charts, f, coordinate, side, unit)) < merge_difference) regions.unite(3 * f + k, 3 * f + next);
+  }
+}
+
+// Corners of one vertex that no cut separates: their coordinates are the same.
+UnionFind corner_sectors(const BandMesh& mesh, const Charts& charts) {
+  UnionFind sectors(3 * mesh.face_count());
+  for (int h = 0; h < 3 * mesh.face_count(); ++h)
+    if (mesh.twins[at(h)] >= 0 && !charts.cut[at(h)]) sectors.unite(h, next_halfedge(mesh.twins[at(h)]));
+  return sectors;
+}
+
+void merge_within_sectors(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, UnionFind& regions) {
+  UnionFind sectors = corner_sectors(mesh, charts);
+  std::vector<std::array<int, 2>> first(labels.size() * 3, {-1, -1});
+  for (int c = 0; c < 3 * mesh.face_count(); ++c) {
+    const Label label = labels[at(face_of(c))];
+    if (label == Label::none) continue;
+    int& representative = first[at(sectors.find(c))][at(snapping_coordinate(label))];
+    if (representative < 0) representative = c;
+    regions.unite(representative, c);
+  }
+}
+
+}  // namespace
+
+double grid_unit(const BandMesh& mesh, const Ink& ink, const GridMapOptions& options, int f) {
+  return options.spacing * ink.stroke_width * double{mesh.scale[at(f)]};
+}
+
+SnapRegions merge_snapping(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
+                           const GridMapOptions& options) {
+  const int corners = 3 * mesh.face_count();
+  UnionFind merged(corners);
+  merge_within_sectors(mesh, charts, labels, merged);
+  SnapRegions snap{std::vector<int>(at(corners), -1), std::vector<double>(at(corners), 0.0), {}};
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (labels[at(f)] == Label::none) continue;
+    merge_within_face(mesh, charts, f, snapping_coordinate(labels[at(f)]), grid_unit(mesh, ink, options, f),
+                      options.merge_difference, merged);
+    for (int k = 0; k < 3; ++k) {
+      const double d = bilinear(ink.centre_distance, mesh.points[at(mesh.faces[at(f)][at(k)])]);
+      snap.weight[at(3 * f + k)] = std::exp(-d * d / (2 * options.snap_sigma * options.snap_sigma));
+    }
+  }
+  std::vector<int> number(at(corners), -1);
+  for (int c = 0; c < corners; ++c) {
+    if (snap.weight[at(c)] < kLeastWeight) continue;
+    int& region = number[at(merged.find(c))];
+    if (region < 0) {
+      region = static_cast<int>(snap.component.size());
+      snap.component.push_back(mesh.component[at(face_of(c))]);
+    }
+    snap.region[at(c)] = region;
+  }
+  return snap;
+}
+
+}  // namespace inkgrid
