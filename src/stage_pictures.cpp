@@ -74,8 +74,10 @@ void draw_band(Canvas& canvas, const Stages& stages) {
 void draw_field(Canvas& canvas, const Stages& stages) {
   const double stroke_width = stages.ink.stroke_width;
   const StreamlineOptions options{2 * stroke_width, 0.4 * stroke_width};
-  for (const Streamline& line : spread_streamlines(stages.mesh, stages.charts, options))
-    canvas.polyline(line.points, 1.1, line.along_s ? kAlongS : kAlongT);
+  for (const Streamline& line : spread_streamlines(stages.mesh, stages.charts, options)) {
+    const bool stub = norm(line.points.back() - line.points.front()) < 0.5 * stroke_width;
+    if (!stub) canvas.polyline(line.points, 1.1, line.along_s ? kAlongS : kAlongT);
+  }
 }
 
 void draw_labels(Canvas& canvas, const Stages& stages) {
