@@ -16,10 +16,9 @@
 namespace inkgrid {
 namespace {
 
-constexpr int kBlocks = 256;    // the paper is estimated on about this many blocks along the shorter side
-constexpr int kWindow = 20;     // blocks: no stroke is wider than twice this
-constexpr float kFade = 0.97f;  // a block
-constexpr int kFieldRounds = 2;
+constexpr int kBlocks = 256;           // the paper is estimated on about this many blocks along the shorter side
+constexpr int kWindow = 20;            // blocks: no stroke is wider than twice this
+constexpr float kFade = 0.97f;         // a block: the light of the paper falls by no more, what is darker is a patch of ink
 constexpr int kLocal = 2;              // px: over this distance the ink of an edge falls to none
 constexpr int kClimb = 3;              // px: and over this one more where the edge is soft
 constexpr int kBeyond = 3;             // px
@@ -93,9 +92,15 @@ Raster<float> block_extreme(const View& view, int size, Before before) {
 struct Share {
   long dark = 0, light = 0;
 
-  void count(float tone, float middle) {
-    dark += tone < middle;
-    light += tone > middle;
+  // Pixels first..last of row y against half of `both_tones`.
+  void count(const View& view, int first, int last, int y, int both_tones) {
+    int below = 0, above = 0;
+    for (int x = first; x <= last; ++x) {
+      below += 2 * view(x, y) < both_tones;
+      above += 2 * view(x, y) > both_tones;
+    }
+    dark += below;
+    light += above;
   }
 };
 
@@ -106,19 +111,18 @@ bool light_on_dark(const View& view) {
   const Raster<float> darkest = window_extreme(block_extreme(view, size, std::less<>()), kWindow, std::less<>());
   const float white = *std::max_element(lightest.data.begin(), lightest.data.end());
   const float black = *std::min_element(darkest.data.begin(), darkest.data.end());
-  const float middle = (white + black) / 2;
+  const int both = static_cast<int>(white + black);
   Share near, whole, border;
-  for (int y = 0; y <= bottom; ++y)
+  for (int y = 0; y <= bottom; ++y) {
+    whole.count(view, 0, right, y, both);
+    border.count(view, 0, y == 0 || y == bottom ? right : 0, y, both);
+    border.count(view, right, right, y, both);
     for (int i = 0; i < lightest.width; ++i) {
       const float high = lightest(i, y / size), low = darkest(i, y / size);
-      const bool has_stroke = high - low > 0.3f * (white - black);
-      for (int x = i * size; x < std::min(view.width(), (i + 1) * size); ++x) {
-        whole.count(view(x, y), middle);
-        if (has_stroke) near.count(view(x, y), (high + low) / 2);
-      }
+      if (high - low <= 0.3f * (white - black)) continue;
+      near.count(view, i * size, std::min(right, (i + 1) * size - 1), y, static_cast<int>(high + low));
     }
-  for (int x = 0; x <= right; ++x) border.count(view(x, 0), middle), border.count(view(x, bottom), middle);
-  for (int y = 0; y <= bottom; ++y) border.count(view(0, y), middle), border.count(view(right, y), middle);
+  }
   return near.dark > near.light && whole.dark > whole.light && (border.dark > border.light || whole.dark > 3 * whole.light);
 }
 
@@ -142,37 +146,6 @@ struct Paper {
   int block = 1;        // px
   Raster<float> level;  // grey level at the centre of each block
 };
-
-// The mean over ever smaller neighbourhoods, each falling back on the larger one where it knows little.
-Raster<float> local_mean(const Raster<float>& sum, const Raster<float>& weight, float full_weight) {
-  const double total = std::accumulate(sum.data.begin(), sum.data.end(), 0.0);
-  const double total_weight = std::accumulate(weight.data.begin(), weight.data.end(), 0.0);
-  Raster<float> field(sum.width, sum.height, static_cast<float>(total_weight > 0 ? total / total_weight : 0.0));
-  for (const int radius : {64, 16, 4}) {
-    Raster<float> s = sum, w = weight;
-    for (Raster<float>* r : {&s, &w})
-      filter_lines(*r, [&](std::vector<float>& line) {
-        slide_sum(line, radius);
-        slide_sum(line, radius);
-      });
-    const float prior = 0.02f * full_weight * std::pow(2.0f * static_cast<float>(radius) + 1.0f, 4.0f);
-    for (std::size_t i = 0; i < field.data.size(); ++i) field.data[i] = (s.data[i] + prior * field.data[i]) / (w.data[i] + prior);
-  }
-  return field;
-}
-
-// A smooth field through samples known only in places, given as sums of values and of weights.  The mean of what the field
-// still misses is added again: a slope that ends at the border of the picture or of the samples would else come out flat.
-Raster<float> smooth_field(const Raster<float>& sum, const Raster<float>& weight, float full_weight) {
-  Raster<float> field = local_mean(sum, weight, full_weight);
-  for (int round = 0; round < kFieldRounds; ++round) {
-    Raster<float> missing = sum;
-    for (std::size_t i = 0; i < sum.data.size(); ++i) missing.data[i] -= weight.data[i] * field.data[i];
-    const Raster<float> correction = local_mean(missing, weight, full_weight);
-    for (std::size_t i = 0; i < field.data.size(); ++i) field.data[i] += correction.data[i];
-  }
-  return field;
-}
 
 // The least light of paper that is near lighter paper: it fades by no more than kFade a block.
 Raster<float> fading(Raster<float> level) {
@@ -205,7 +178,7 @@ Paper first_paper(const View& view) {
     // Far darker than the paper around it: a patch filled with ink, wider than the window.
     if (level.data[i] < 0.7f * least.data[i] || level.data[i] < 0.2f * white) known.data[i] = level.data[i] = 0;
   }
-  return {size, smooth_field(level, known, 1)};
+  return {size, SmoothField(std::move(known), 1).through(level)};
 }
 
 // Calls visit(x, y, light) row by row; light = 1 on bare paper.
@@ -244,7 +217,7 @@ Paper estimate_paper(const View& view) {
     sum(x / first.block, y / first.block) += static_cast<float>(view(x, y));
     weight(x / first.block, y / first.block) += 1;
   });
-  return {first.block, smooth_field(sum, weight, static_cast<float>(first.block * first.block))};
+  return {first.block, SmoothField(std::move(weight), static_cast<float>(first.block * first.block)).through(sum)};
 }
 
 // A light blur (1 2 1)/4 both ways, in place.

@@ -1,10 +1,14 @@
 // What:   sliding-window filters over a raster, separable, with a cost that does not depend on the window.
 // Source: textbook (monotone queue, running sum).
+// Differs: nothing.
 // Cost:   O(pixels).
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/raster.h"
@@ -66,5 +70,60 @@ inline void slide_sum(std::vector<float>& line, int radius) {
     line[i] = static_cast<float>(sum);
   }
 }
+
+// A smooth field through samples known only in places, given as sums of values and of weights on a grid: means over ever
+// smaller neighbourhoods, each falling back on the larger one where it knows little.
+class SmoothField {
+ public:
+  // full_weight: that of a place about which everything is known.
+  SmoothField(Raster<float> weight, float full_weight) : weight_(std::move(weight)) {
+    for (const int radius : {64, 16, 4})
+      scales_.push_back(
+          {radius, 0.02f * full_weight * std::pow(2.0f * static_cast<float>(radius) + 1.0f, 4.0f), blur(weight_, radius)});
+  }
+
+  // The mean of what the field still misses is added again: a slope that ends at the border of the grid or of the samples
+  // would else come out flat.
+  Raster<float> through(const Raster<float>& sum) const {
+    Raster<float> field = mean(sum);
+    for (int round = 0; round < 2; ++round) {
+      Raster<float> missing = sum;
+      for (std::size_t i = 0; i < sum.data.size(); ++i) missing.data[i] -= weight_.data[i] * field.data[i];
+      missing = mean(missing);
+      for (std::size_t i = 0; i < sum.data.size(); ++i) field.data[i] += missing.data[i];
+    }
+    return field;
+  }
+
+ private:
+  struct Scale {
+    int radius;
+    float prior;  // weight of the larger scale
+    Raster<float> weight;
+  };
+
+  static Raster<float> blur(Raster<float> raster, int radius) {
+    filter_lines(raster, [&](std::vector<float>& line) {
+      slide_sum(line, radius);
+      slide_sum(line, radius);
+    });
+    return raster;
+  }
+
+  Raster<float> mean(const Raster<float>& sum) const {
+    const double total = std::accumulate(sum.data.begin(), sum.data.end(), 0.0);
+    const double weight = std::accumulate(weight_.data.begin(), weight_.data.end(), 0.0);
+    Raster<float> field(sum.width, sum.height, static_cast<float>(weight > 0 ? total / weight : 0.0));
+    for (const Scale& scale : scales_) {
+      const Raster<float> near = blur(sum, scale.radius);
+      for (std::size_t i = 0; i < field.data.size(); ++i)
+        field.data[i] = (near.data[i] + scale.prior * field.data[i]) / (scale.weight.data[i] + scale.prior);
+    }
+    return field;
+  }
+
+  Raster<float> weight_;
+  std::vector<Scale> scales_;
+};
 
 }  // namespace inkgrid
