@@ -13,13 +13,13 @@
 namespace inkgrid {
 
 struct FitOptions {
-  double tolerance = 1;  // px: no point of a chain is further from its curve
+  double tolerance = 1;    // px: no point of a chain is further from its curve
   double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
 };
 
-// The fewest cubic segments within the tolerance.  The end points are interpolated to the last digit; segments share their joints to the
-// last digit; joints that are not corners are smooth (G1, tangents equal to 1e-9); a closed polyline (front == back) gives a
-// closed curve, smooth at its seam unless the seam is a corner (a closed curve's seam is moved to a corner if it has one).
+// The fewest cubic segments within the tolerance.  The end points are interpolated to the last digit; segments share their joints
+// to the last digit; joints that are not corners are smooth (G1, tangents equal to 1e-9); a closed polyline (front == back) gives
+// a closed curve, smooth at its seam unless the seam is a corner (a closed curve's seam is moved to a corner if it has one).
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
 
 Drawing fit_curves(const Chains& chains, const FitOptions& options);
