@@ -1,0 +1,378 @@
+#include <gtest/gtest.h>
+#include <leptonica/allheaders.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "image_io.h"
+#include "inkgrid/inkgrid.h"
+
+namespace inkgrid {
+namespace {
+
+struct DestroyPix {
+  void operator()(Pix* pix) const { pixDestroy(&pix); }
+};
+using PixOwner = std::unique_ptr<Pix, DestroyPix>;
+
+constexpr int kWidth = 37, kHeight = 23;
+
+struct Colour {
+  int red, green, blue, alpha = 255;
+};
+
+Colour colour_at(int x, int y) {
+  return {(7 * x) % 256, (11 * y + 3 * x) % 256, (5 * x * y) % 256};
+}
+int value_at(int x, int y) {
+  return (37 * x + 101 * y + x * y) & 0xffff;
+}
+
+PixOwner grey_pix(int depth) {
+  PixOwner pix(pixCreate(kWidth, kHeight, depth));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) pixSetPixel(pix.get(), x, y, static_cast<l_uint32>(value_at(x, y) & ((1 << depth) - 1)));
+  return pix;
+}
+
+PixOwner colour_pix(const std::function<Colour(int, int)>& colour, bool alpha = false, int width = kWidth, int height = kHeight) {
+  PixOwner pix(pixCreate(width, height, 32));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Colour c = colour(x, y);
+      l_uint32 word;
+      composeRGBAPixel(c.red, c.green, c.blue, c.alpha, &word);
+      pixSetPixel(pix.get(), x, y, word);
+    }
+  pixSetSpp(pix.get(), alpha ? 4 : 3);
+  return pix;
+}
+
+std::string own(l_uint8* data, std::size_t size) {
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  std::free(data);
+  return bytes;
+}
+
+std::string encode(const PixOwner& pix, int format) {
+  l_uint8* data = nullptr;
+  std::size_t size = 0;
+  EXPECT_EQ(pixWriteMem(&data, &size, pix.get(), format), 0);
+  return own(data, size);
+}
+
+std::string encode_webp(const PixOwner& pix) {
+  l_uint8* data = nullptr;
+  std::size_t size = 0;
+  EXPECT_EQ(pixWriteMemWebP(&data, &size, pix.get(), 100, 1), 0);
+  return own(data, size);
+}
+
+std::string encode_ascii_pnm(const PixOwner& pix) {
+  char* data = nullptr;
+  std::size_t size = 0;
+  std::FILE* stream = open_memstream(&data, &size);
+  EXPECT_EQ(pixWriteStreamAsciiPnm(stream, pix.get()), 0);
+  std::fclose(stream);
+  return own(reinterpret_cast<l_uint8*>(data), size);
+}
+
+int luma(Colour c) {
+  return static_cast<int>(std::lround(0.299 * c.red + 0.587 * c.green + 0.114 * c.blue));
+}
+
+void expect_pixels(const Image& image, const std::function<int(int, int)>& grey, int tolerance = 0) {
+  ASSERT_EQ(image.width, kWidth);
+  ASSERT_EQ(image.height, kHeight);
+  ASSERT_EQ(image.grey.size(), static_cast<std::size_t>(kWidth * kHeight));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      ASSERT_NEAR(image.grey[static_cast<std::size_t>(y * kWidth + x)], grey(x, y), tolerance) << x << ", " << y;
+}
+
+// The sentence with which the bytes are refused; empty when they are not.
+std::string refusal(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::file);
+    return e.what();
+  }
+  return "";
+}
+std::string refusal(const std::string& bytes) {
+  return refusal([&] { decode_image(bytes, "x.png"); });
+}
+
+struct Sample {
+  const char* what;
+  std::string bytes;
+};
+
+std::vector<Sample> samples() {
+  const PixOwner colour = colour_pix(colour_at), grey = grey_pix(8), bits = grey_pix(1);
+  return {{"png", encode(colour, IFF_PNG)},
+          {"grey png", encode(grey, IFF_PNG)},
+          {"1 bit png", encode(bits, IFF_PNG)},
+          {"jpeg", encode(colour, IFF_JFIF_JPEG)},
+          {"grey jpeg", encode(grey, IFF_JFIF_JPEG)},
+          {"tiff", encode(colour, IFF_TIFF)},
+          {"lzw tiff", encode(grey, IFF_TIFF_LZW)},
+          {"zip tiff", encode(colour, IFF_TIFF_ZIP)},
+          {"g4 tiff", encode(bits, IFF_TIFF_G4)},
+          {"webp", encode_webp(colour)},
+          {"bmp", encode(colour, IFF_BMP)},
+          {"grey bmp", encode(grey, IFF_BMP)},
+          {"ppm", encode(colour, IFF_PNM)},
+          {"pgm", encode(grey, IFF_PNM)},
+          {"pbm", encode(bits, IFF_PNM)},
+          {"ascii pgm", encode_ascii_pnm(grey)},
+          {"ascii ppm", encode_ascii_pnm(colour)},
+          {"ascii pbm", encode_ascii_pnm(bits)}};
+}
+
+TEST(ImageIo, LosslessFormatsGiveTheLuma) {
+  const PixOwner pix = colour_pix(colour_at);
+  for (const int format : {IFF_PNG, IFF_TIFF, IFF_TIFF_LZW, IFF_TIFF_ZIP, IFF_TIFF_PACKBITS, IFF_BMP, IFF_PNM}) {
+    SCOPED_TRACE(format);
+    expect_pixels(decode_image(encode(pix, format), "x"), [](int x, int y) { return luma(colour_at(x, y)); });
+  }
+  expect_pixels(decode_image(encode_webp(pix), "x"), [](int x, int y) { return luma(colour_at(x, y)); });
+  expect_pixels(decode_image(encode_ascii_pnm(pix), "x"), [](int x, int y) { return luma(colour_at(x, y)); });
+}
+
+TEST(ImageIo, JpegIsClose) {
+  const auto smooth = [](int x, int y) { return Colour{6 * x, 10 * y, 128}; };
+  expect_pixels(
+      decode_image(encode(colour_pix(smooth), IFF_JFIF_JPEG), "x"), [&](int x, int y) { return luma(smooth(x, y)); }, 12);
+}
+
+TEST(ImageIo, GreysOfAllDepths) {
+  for (const int depth : {1, 2, 4, 8, 16})
+    for (const int format : {IFF_PNG, IFF_TIFF, IFF_TIFF_LZW, IFF_PNM}) {
+      SCOPED_TRACE(std::to_string(depth) + " bits, format " + std::to_string(format));
+      const int most = (1 << depth) - 1;
+      const auto grey = [&](int x, int y) {
+        const int value = value_at(x, y) & most;
+        return depth == 1 ? 255 * (1 - value) : depth == 16 ? value >> 8 : 255 * value / most;
+      };
+      expect_pixels(decode_image(encode(grey_pix(depth), format), "x"), grey);
+    }
+}
+
+TEST(ImageIo, BlackInkIsDarkInEveryBilevelFormat) {
+  PixOwner pix(pixCreate(kWidth, kHeight, 1));
+  pixSetPixel(pix.get(), 5, 7, 1);
+  for (const int format : {IFF_PNG, IFF_TIFF, IFF_TIFF_G4, IFF_BMP, IFF_PNM}) {
+    SCOPED_TRACE(format);
+    expect_pixels(decode_image(encode(pix, format), "x"), [](int x, int y) { return x == 5 && y == 7 ? 0 : 255; });
+  }
+}
+
+TEST(ImageIo, Palette) {
+  for (const int depth : {1, 2, 4, 8})
+    for (const int format : {IFF_PNG, IFF_TIFF, IFF_BMP}) {
+      if (format == IFF_BMP && depth == 2) continue;  // no such BMP
+      SCOPED_TRACE(std::to_string(depth) + " bits, format " + std::to_string(format));
+      PixOwner pix = grey_pix(depth);
+      PixColormap* map = pixcmapCreate(depth);
+      const auto entry = [](int i) { return Colour{(40 + 83 * i) % 256, (200 + 31 * i) % 256, (19 * i) % 256}; };
+      for (int i = 0; i < 1 << depth; ++i) pixcmapAddColor(map, entry(i).red, entry(i).green, entry(i).blue);
+      pixSetColormap(pix.get(), map);
+      expect_pixels(decode_image(encode(pix, format), "x"),
+                    [&](int x, int y) { return luma(entry(value_at(x, y) & ((1 << depth) - 1))); });
+    }
+}
+
+TEST(ImageIo, PaletteWithAlphaLiesOverWhite) {
+  PixOwner pix = grey_pix(2);
+  PixColormap* map = pixcmapCreate(2);
+  const int alpha[] = {0, 255, 128, 51};
+  for (int i = 0; i < 4; ++i) pixcmapAddRGBA(map, 0, 0, 0, alpha[i]);
+  pixSetColormap(pix.get(), map);
+  expect_pixels(
+      decode_image(encode(pix, IFF_PNG), "x"), [&](int x, int y) { return 255 - alpha[value_at(x, y) & 3]; }, 1);
+}
+
+TEST(ImageIo, AlphaLiesOverWhite) {
+  const auto colour = [](int x, int y) { return Colour{10, 60, 30, (7 * x + 9 * y) % 256}; };
+  const PixOwner pix = colour_pix(colour, true);
+  const auto expected = [&](int x, int y) {
+    const double a = colour(x, y).alpha / 255.0;
+    return static_cast<int>(std::lround(a * luma(colour(x, y)) + (1 - a) * 255));
+  };
+  expect_pixels(decode_image(encode(pix, IFF_PNG), "x"), expected, 1);
+  expect_pixels(decode_image(encode_webp(pix), "x"), expected, 1);
+  expect_pixels(decode_image(encode(pix, IFF_TIFF_LZW), "x"), expected, 1);
+}
+
+TEST(ImageIo, ResolutionIsInPixelsPerMillimetre) {
+  for (const int format : {IFF_PNG, IFF_JFIF_JPEG, IFF_TIFF, IFF_BMP}) {
+    PixOwner pix = grey_pix(8);
+    EXPECT_EQ(decode_image(encode(pix, IFF_PNG), "x").pixels_per_mm, 0);
+    pixSetResolution(pix.get(), 254, 254);
+    EXPECT_NEAR(decode_image(encode(pix, format), "x").pixels_per_mm, 10, 0.05) << format;
+  }
+}
+
+TEST(ImageIo, CutFilesAreRefused) {
+  for (const Sample& sample : samples()) {
+    SCOPED_TRACE(sample.what);
+    const Image whole = decode_image(sample.bytes, "x");
+    const std::string_view what = sample.what;
+    // A number in text that lost its last digits is still a number.
+    const std::size_t end = sample.bytes.size() - (what.starts_with("ascii") ? 5 : 0);
+    for (std::size_t n = 0; n < end; ++n) {
+      Image image;
+      const std::string why = refusal([&] { image = decode_image(std::string_view(sample.bytes).substr(0, n), "x.png"); });
+      if (why.empty()) {
+        ASSERT_EQ(image.grey, whole.grey) << "the first " << n << " of " << sample.bytes.size() << " bytes";
+        ASSERT_GT(n + 5, sample.bytes.size());
+      } else if (n > 40) {
+        ASSERT_EQ(why, "'x.png' is truncated or damaged") << n;
+      }
+    }
+  }
+}
+
+TEST(ImageIo, HolesInAJpegAreRefused) {
+  const auto busy = [](int x, int y) { return Colour{(x * 71 + y * 31) % 256, (x * y * 13) % 256, (x * 7) % 256}; };
+  const std::string bytes = encode(colour_pix(busy, false, 200, 150), IFF_JFIF_JPEG);
+  for (const double part : {0.5, 0.8, 0.95}) {
+    const auto keep = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
+    EXPECT_NE(refusal(bytes.substr(0, keep) + "\xff\xd9"), "") << "the end mark alone does not make a whole picture";
+  }
+}
+
+TEST(ImageIo, TrailingBytesDoNoHarm) {
+  for (const Sample& sample : samples()) {
+    SCOPED_TRACE(sample.what);
+    EXPECT_EQ(decode_image(sample.bytes + std::string(100, '\n'), "x").grey, decode_image(sample.bytes, "x").grey);
+  }
+}
+
+TEST(ImageIo, OtherContentIsNoImage) {
+  const std::string sentence = "'x.png' is not an image that inkgrid reads (PNG, JPEG, TIFF, WebP, BMP, PNM)";
+  EXPECT_EQ(refusal("a letter to the editor"), sentence);
+  EXPECT_EQ(refusal("%PDF-1.5 ..."), sentence);
+  EXPECT_EQ(refusal("GIF89a........"), sentence);
+  EXPECT_EQ(refusal(std::string(1000, '\0')), sentence);
+  EXPECT_EQ(refusal(std::string("P")), sentence);
+  EXPECT_EQ(refusal(""), "'x.png' is empty");
+  EXPECT_EQ(refusal([] { decode_image(std::string_view(""), "-"); }), "standard input is empty");
+}
+
+TEST(ImageIo, HugeAndEmptySizesAreRefusedBeforeDecoding) {
+  EXPECT_EQ(refusal("P5\n40000 20000\n255\n"), "'x.png' declares 40000 x 20000 pixels, and inkgrid reads at most 400 million");
+  std::string bmp = encode(grey_pix(8), IFF_BMP);
+  bmp.replace(18, 8, "\x00\x00\x01\x00\x00\x00\x01\x00", 8);
+  EXPECT_NE(refusal(bmp).find("65536 x 65536"), std::string::npos);
+  EXPECT_NE(refusal("P5\n0 20\n255\n"), "");
+  EXPECT_NE(refusal("P1\n20 0\n"), "");
+}
+
+TEST(ImageIo, DamagedBytesNeverCrash) {
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  int refused = 0, read = 0;
+  for (const Sample& sample : samples())
+    for (int round = 0; round < 150; ++round) {
+      std::string bytes = sample.bytes;
+      for (std::size_t k = 0; k <= below(6); ++k)
+        bytes[below(round % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 60))] = static_cast<char>(random());
+      if (round % 5 == 0) bytes.erase(below(bytes.size()), below(30));
+      if (!refusal(bytes).empty()) {
+        ++refused;
+      } else {
+        ++read;
+      }
+    }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(read, 100);
+  for (int round = 0; round < 3000; ++round) {
+    std::string bytes = samples()[0].bytes.substr(0, 0);
+    const char* magic[] = {"",    "\x89PNG\r\n\x1a\n", "\xff\xd8\xff\xe0", "II*", "MM", "RIFF1234WEBPVP8 ", "BM", "P1 3 3 ",
+                           "P2 ", "P6 4 4 255\n"};
+    bytes = magic[below(std::size(magic))];
+    for (std::size_t n = below(300); n > 0; --n) bytes.push_back(static_cast<char>(random()));
+    refusal(bytes);
+  }
+}
+
+TEST(ImageIo, NothingIsPrinted) {
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
+  for (const Sample& sample : samples()) {
+    refusal(sample.bytes.substr(0, sample.bytes.size() / 2));
+    std::string bytes = sample.bytes;
+    for (std::size_t i = bytes.size() / 2; i < bytes.size() - 12 && i < bytes.size() / 2 + 40; ++i)
+      bytes[i] = static_cast<char>(~bytes[i]);
+    refusal(bytes);
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ImageIo, ReadingFiles) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "inkgrid_image_io";
+  std::filesystem::create_directories(folder);
+  const std::string file = (folder / "bytes.bin").string(), content("a\0b\xff\n", 5);
+  std::ofstream(file, std::ios::binary) << content;
+  EXPECT_EQ(read_bytes(file), content);
+  EXPECT_EQ(refusal([&] { read_bytes(folder.string()); }), "cannot read '" + folder.string() + "': it is a directory");
+  EXPECT_EQ(refusal([&] { read_bytes(file + ".none"); }), "cannot read '" + file + ".none': No such file or directory");
+  std::filesystem::remove_all(folder);
+}
+
+ScaleMask mask_of(const PixOwner& pix) {
+  return decode_mask(encode(pix, IFF_PNG), "mask.png");
+}
+
+TEST(ImageIo, ScribblesByHue) {
+  const struct {
+    Colour colour;
+    float factor;
+  } cases[] = {{{128, 0, 128}, 0.5f}, {{160, 32, 240}, 0.5f}, {{255, 165, 0}, 2},   {{230, 110, 20}, 2},
+               {{255, 255, 255}, 1},  {{0, 0, 0}, 1},         {{120, 118, 122}, 1}, {{0, 200, 0}, 1},
+               {{0, 0, 255}, 1},      {{255, 255, 0}, 1},     {{255, 0, 0}, 1}};
+  const int count = static_cast<int>(std::size(cases));
+  const PixOwner pix = colour_pix([&](int x, int) { return cases[x % count].colour; });
+  const ScaleMask mask = mask_of(pix);
+  ASSERT_EQ(mask.width, kWidth);
+  ASSERT_EQ(mask.height, kHeight);
+  for (int x = 0; x < kWidth; ++x) EXPECT_EQ(mask.factor[static_cast<std::size_t>(x)], cases[x % count].factor) << x % count;
+}
+
+TEST(ImageIo, TransparentIsNoScribble) {
+  const PixOwner pix = colour_pix([](int x, int) { return Colour{160, 32, 240, x < 10 ? 0 : 255}; }, true);
+  const ScaleMask mask = mask_of(pix);
+  for (int x = 0; x < kWidth; ++x) EXPECT_EQ(mask.factor[static_cast<std::size_t>(x)], x < 10 ? 1.0f : 0.5f);
+}
+
+TEST(ImageIo, GreyMaskIsAnExponent) {
+  const PixOwner pix = colour_pix([](int x, int) { return Colour{7 * x, 7 * x, 7 * x}; });
+  const ScaleMask mask = mask_of(pix);
+  for (int x = 0; x < kWidth; ++x) {
+    const double expected = std::min(4.0, std::max(0.25, std::pow(2.0, (128 - 7 * x) / 64.0)));
+    EXPECT_NEAR(mask.factor[static_cast<std::size_t>(x)], expected, 1e-5) << x;
+  }
+  EXPECT_EQ(mask_of(colour_pix([](int x, int) { return x == 0 ? Colour{0, 0, 0} : Colour{128, 128, 128}; })).factor[5], 1.0f);
+}
+
+TEST(ImageIo, MasksThatSayNothingAreRefused) {
+  const auto refused = [](const std::function<Colour(int, int)>& colour, bool alpha = false) {
+    const PixOwner pix = colour_pix(colour, alpha);
+    return refusal([&] { mask_of(pix); });
+  };
+  EXPECT_NE(refused([](int, int) { return Colour{255, 255, 255}; }), "");
+  EXPECT_NE(refused([](int, int) { return Colour{160, 32, 240, 0}; }, true), "");
+  EXPECT_NE(refused([](int x, int) { return x < 5 ? Colour{0, 200, 0} : Colour{255, 255, 255}; }), "");
+}
+
+}  // namespace
+}  // namespace inkgrid
