@@ -110,9 +110,11 @@ void remove_temporary_on_signals() {
 
 void check_writable(const std::string& path) {
   if (path == "-") return;
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) fail(path, EISDIR);
-  if (fs::exists(path, ignored) && ::access(path.c_str(), W_OK) != 0) fail(path, errno);
+  struct stat old {};
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT) fail(path, errno);
+  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+  if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);
   if (!is_special(path)) Temporary probe(behind_links(path));
 }
 

@@ -44,10 +44,7 @@ std::string value_name(const OptionRow& row) {
 }
 
 Entry entry_of(const OptionRow& row) {
-  std::string help(row.help);
-  help += ": " + accepted_values(row);
-  if (!row.unit.empty()) help.append(", ").append(row.unit);
-  help += "; default " + option_text(Options{}, row);
+  std::string help = std::string(row.help) + "; " + accepted_values(row) + "; default " + option_text(Options{}, row);
   if (!row.section.empty()) help.append("; section ").append(row.section);
   return {"--" + std::string(row.name) + " " + value_name(row), help};
 }

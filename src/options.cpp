@@ -18,8 +18,9 @@ struct Overloaded : Cases... {
 constexpr std::array kPresetNames{"auto", "clean", "rough"};
 
 constexpr std::array kTable{
-    OptionRow{"preset", &Options::preset, "", 0, 2, "7", "what is left unset is chosen for clean or for rough drawings"},
-    OptionRow{"threshold", &Options::threshold, "grey level", 0, 255, "5", "pixels darker than this are ink"},
+    OptionRow{"preset", &Options::preset, "", 0, 2, "7",
+              "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
+    OptionRow{"threshold", &Options::threshold, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
     OptionRow{"reach", &Options::reach, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
     OptionRow{"mesh-size", &Options::mesh_size, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
     OptionRow{"degenerate-angle", &Options::degenerate_angle, "degrees", 0, 90, "6.1",
@@ -36,11 +37,12 @@ constexpr std::array kTable{
     OptionRow{"snap", &Options::snap, "", 0, 1e6, "6.2", "weight that draws strokes to grid lines (mu)"},
     OptionRow{"snap-sigma", &Options::snap_sigma, "half-widths", 0.01, 10, "6.2",
               "how far from its centre line a stroke snaps (sigma)"},
-    OptionRow{"damping", &Options::damping, "", 1e-9, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
-    OptionRow{"merge-difference", &Options::merge_difference, "grid", 0, 10, "6.2", "corners nearer than this share an integer"},
+    OptionRow{"damping", &Options::damping, "", 1e-6, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
+    OptionRow{"merge-difference", &Options::merge_difference, "grid units", 0, 10, "6.2",
+              "corners nearer than this share an integer"},
     OptionRow{"coverage-bins", &Options::coverage_bins, "", 1, 1000, "6.3", "parts of a chain that must all hold ink"},
     OptionRow{"tolerance", &Options::tolerance, "strokes", 0.001, 10, "6.3", "largest distance of a curve from its chain"},
-    OptionRow{"threads", &Options::threads, "", 0, 1024, "", "0: as many as the machine has; the result is the same"},
+    OptionRow{"threads", &Options::threads, "", 0, 1024, "", "workers, 0 for as many as the machine has; the result is the same"},
 };
 
 // The shortest decimal that reads back as the same value, without an exponent where a person would write none.
@@ -95,7 +97,8 @@ const OptionRow& option_row(std::string_view name) {
 }
 
 std::string accepted_values(const OptionRow& row) {
-  const std::string range = number_text(row.least) + " to " + number_text(row.most);
+  std::string range = number_text(row.least) + " to " + number_text(row.most);
+  if (!row.unit.empty()) range.append(" ").append(row.unit);
   return std::visit(Overloaded{[](Preset Options::*) { return std::string("auto, clean or rough"); },
                                [&](double Options::*) { return "a number from " + range; },
                                [&](std::optional<double> Options::*) { return "a number from " + range + " or auto"; },

@@ -18,7 +18,7 @@ using OptionMember = std::variant<Preset Options::*, double Options::*, std::opt
 struct OptionRow {
   std::string_view name;  // "mesh-size": --mesh-size on the command line
   OptionMember member;
-  std::string_view unit;  // px, strokes (multiples of the stroke width), degrees, grid (its units), or empty
+  std::string_view unit;  // strokes (multiples of the stroke width), half-widths (of a stroke), degrees, grid units, or empty
   double least;           // the range holds both ends
   double most;
   std::string_view section;  // of the paper; empty where the paper has no such parameter
@@ -31,7 +31,7 @@ std::span<const OptionRow> option_table();
 // Throws Error{usage} when there is no such option.
 const OptionRow& option_row(std::string_view name);
 
-// What may be given: "a number from 0 to 255 or auto".
+// What may be given: "a number from 0 to 10 strokes or auto".
 std::string accepted_values(const OptionRow& row);
 
 // Throws Error{usage}, and leaves the options alone, unless the text is one of the accepted values.

@@ -37,6 +37,15 @@ def cross():
     return rows
 
 
+def lattice():
+    """Enough work for some seconds: 24 strokes that cross, 1200 x 900 px."""
+    rows = blank(1200, 900)
+    for k in range(12):
+        paint_line(rows, (20, 30 + 70 * k), (1180, 60 + 68 * k), 5)
+        paint_line(rows, (40 + 95 * k, 10), (70 + 94 * k, 890), 5)
+    return rows
+
+
 def png(rows, colour=False, dots_per_metre=0):
     """The bytes of a PNG file; rows of grey bytes, or of RGB bytes with `colour`."""
     def chunk(kind, data):

@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from support import PROGRAM, CommandTest, blank, cross, paint_line, pgm, png
+from support import PROGRAM, CommandTest, blank, cross, lattice, paint_line, pgm, png
 
 USAGE, FILE = 1, 2
 
@@ -165,11 +165,7 @@ class OutputsThatCantBe(CommandTest):
         self.assertEqual(self.files(), ['drawing.png'])
 
     def test_interrupted_run_leaves_nothing(self):
-        rows = blank(1200, 900)
-        for k in range(12):
-            paint_line(rows, (20, 30 + 70 * k), (1180, 60 + 68 * k), 5)
-            paint_line(rows, (40 + 95 * k, 10), (70 + 94 * k, 890), 5)
-        self.put('drawing.png', png(rows))
+        self.put('drawing.png', png(lattice()))
         for delay in (0.02, 0.3):
             running = subprocess.Popen([PROGRAM, 'drawing.png'], cwd=self.directory, stderr=subprocess.PIPE)
             time.sleep(delay)

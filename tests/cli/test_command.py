@@ -1,13 +1,14 @@
 """What the command does when all is well."""
 import json
 import os
+import pty
 import re
 import stat
 import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import PROGRAM, SVG, CommandTest, cross, pgm, png
+from support import PROGRAM, SVG, CommandTest, cross, lattice, pgm, png
 
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 'auto', 'mesh-size': 0.25,
@@ -237,6 +238,21 @@ class Manual(CommandTest):
 
 
 class Progress(CommandTest):
+    def test_of_a_long_run_on_a_terminal(self):
+        self.put('drawing.png', png(lattice()))
+        ours, theirs = pty.openpty()
+        with subprocess.Popen([PROGRAM, 'drawing.png', '-q'], cwd=self.directory, stderr=theirs) as running:
+            os.close(theirs)
+            said = b''
+            try:
+                while piece := os.read(ours, 4096):
+                    said += piece
+            except OSError:  # the end, as Linux tells it
+                pass
+        os.close(ours)
+        self.assertEqual(running.returncode, 0)
+        self.assertRegex(said, rb'^(\rinkgrid: [a-z ]+ \d+ %\x1b\[K)+\r\x1b\[K$')
+
     def test_is_silent_where_standard_error_is_no_terminal(self):
         self.put('drawing.png', png(cross()))
         self.assertNotIn(b'\r', self.succeed('drawing.png').stderr)
