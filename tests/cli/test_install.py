@@ -8,8 +8,11 @@ BUILD = os.environ['INKGRID_BUILD']
 SOURCE = os.environ['INKGRID_SOURCE']
 
 
-def run(*words, **more):
-    return subprocess.run(words, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more).stdout
+def run(*words):
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    if done.returncode != 0:
+        raise AssertionError('%s:\n%s' % (' '.join(words), done.stdout))
+    return done.stdout
 
 
 class Install(unittest.TestCase):
