@@ -6,6 +6,7 @@
 
 #include "ends.h"
 #include "junctions.h"
+#include "simplify.h"
 
 namespace inkgrid {
 namespace {
@@ -77,7 +78,7 @@ void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& re
 }
 
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach) {
+Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, int bins) {
   const double width = ink.stroke_width;
   const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * width};
   const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
@@ -86,7 +87,9 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach) {
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  Chains attached = attach_ends(refined(chains, follow_ridges(chains.chains, ink, ridge)), ink, ends);
+  const Chains covered = merge_junctions(drop_uncovered(chains, ink, bins), width, width);
+  Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
+  attached = merge_junctions(std::move(attached), width, width);
   return reach_ends(locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width), ink, ends);
 }
 
@@ -130,7 +133,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
     return chain_strokes(stages.graph, stages.mesh, stages.labels, stages.ink, {report.reach, options.coverage_bins});
   });
   const double width = stages.ink.stroke_width;
-  stages.chains = run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach); });
+  stages.chains = run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach, options.coverage_bins); });
   const FitOptions fit_options{options.tolerance.value_or(report.reach) * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
