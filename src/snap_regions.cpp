@@ -32,23 +32,13 @@ void merge_within_face(const BandMesh& mesh, const Charts& charts, int f, int co
   }
 }
 
-// Corners of one vertex that no cut separates: their coordinates are the same.
-UnionFind corner_sectors(const BandMesh& mesh, const Charts& charts) {
-  UnionFind sectors(3 * mesh.face_count());
-  for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (mesh.twins[at(h)] >= 0 && !charts.cut[at(h)]) sectors.unite(h, next_halfedge(mesh.twins[at(h)]));
-  return sectors;
-}
-
-void merge_within_sectors(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, UnionFind& regions) {
-  UnionFind sectors = corner_sectors(mesh, charts);
-  std::vector<std::array<int, 2>> first(labels.size() * 3, {-1, -1});
-  for (int c = 0; c < 3 * mesh.face_count(); ++c) {
-    const Label label = labels[at(face_of(c))];
-    if (label == Label::none) continue;
-    int& representative = first[at(sectors.find(c))][at(snapping_coordinate(label))];
-    if (representative < 0) representative = c;
-    regions.unite(representative, c);
+// Neighbours over an edge only: strokes side by side may touch in a vertex far from both centre lines.
+void merge_neighbours(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, UnionFind& regions) {
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    const int twin = mesh.twins[at(h)];
+    if (twin < 0 || charts.cut[at(h)] || labels[at(face_of(h))] != labels[at(face_of(twin))]) continue;
+    regions.unite(h, next_halfedge(twin));
+    regions.unite(next_halfedge(h), twin);
   }
 }
 
@@ -62,7 +52,7 @@ SnapRegions merge_snapping(const BandMesh& mesh, const Charts& charts, const std
                            const GridMapOptions& options) {
   const int corners = 3 * mesh.face_count();
   UnionFind merged(corners);
-  merge_within_sectors(mesh, charts, labels, merged);
+  merge_neighbours(mesh, charts, labels, merged);
   SnapRegions snap{std::vector<int>(at(corners), -1), std::vector<double>(at(corners), 0.0), {}};
   for (int f = 0; f < mesh.face_count(); ++f) {
     if (labels[at(f)] == Label::none) continue;

@@ -1,8 +1,6 @@
 // What:   which corners snap to a common integer, and how strongly.
 // Source: section 6.2, "Integer elimination strategy" and the weights of equation (3).
-// Differs: corners of one vertex are merged also where their faces share no edge, for they have one value; corners of no weight
-// get
-//          no integer (docs/METHOD.md, "Grid map").
+// Differs: corners of no weight get no integer (docs/METHOD.md, "Grid map").
 // Cost:   linear.
 #pragma once
 
