@@ -14,11 +14,12 @@ namespace {
 
 constexpr double kSpanLimit =
     0.85;                           // of the tolerance: what spans fitted on their own may use, since smooth joints cost a little
+constexpr double kWorth = 1.2;      // tolerance^2 * corner_span: squared error times length that justifies another segment
 constexpr int kClosedSegments = 4;  // at least, on a closed smooth curve
 constexpr int kRecuts = 10;         // of a stretch that stays outside the tolerance
 constexpr double kRecutFactor = 0.75;
 constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 12;  // of least squares
-constexpr double kStraight = 0.05;  // of the tolerance: added to the error of the curve that a line is compared with
+constexpr double kStraight = 0.12;  // of the tolerance: added to the error of the curve that a line is compared with
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
@@ -28,8 +29,12 @@ Cubic straight(Vec2 a, Vec2 b) {
   return {a, lerp(a, b, 1.0 / 3), lerp(a, b, 2.0 / 3), b};
 }
 
+double worth_of_segment(const FitOptions& options) {
+  return kWorth * options.tolerance * options.tolerance * options.corner_span;
+}
+
 CutOptions cut_options(const FitOptions& options) {
-  return {kSpanLimit * options.tolerance, options.corner_span / 2, kClosedSegments};
+  return {kSpanLimit * options.tolerance, worth_of_segment(options), options.corner_span / 2, kClosedSegments};
 }
 
 struct SplineFit {
@@ -180,6 +185,7 @@ void mend(Stretch& stretch, const FitOptions& options) {
        ++round) {
     cutting.limit *= kRecutFactor;
     cutting.shortest *= kRecutFactor;
+    cutting.worth *= kRecutFactor;
     stretch.fit = initial_fit(stretch.samples, cut_into_spans(stretch.samples, cutting));
     if (stretch.options.pin_start_angle) stretch.fit.spline.angles.front() = first;
     if (stretch.options.pin_end_angle) stretch.fit.spline.angles.back() = last;
@@ -221,17 +227,26 @@ bool may_join(const Stretch& stretch, int joint, double tolerance) {
   return first < 0 || last - first < 4 || fit_span(stretch.samples, first, last).largest <= tolerance;
 }
 
-// Tries the spline without each of its smooth joints.
-void drop_joints(SplineFit& fit, const Samples& samples, double tolerance) {
+double squared_error(const SplineFit& fit, const Samples& samples) {
+  const std::vector<double> gaps = distances(fit.spline, fit.feet, samples), weights = arc_weights(samples);
+  double sum = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) sum += weights[i] * gaps[i] * gaps[i];
+  return sum;
+}
+
+// Leaves out each smooth joint without which the tolerance holds and the error grows by less than a segment is worth.
+void drop_joints(SplineFit& fit, const Samples& samples, const FitOptions& options) {
   const int least = samples.closed ? kClosedSegments : 1;
   int kept = 0;
   for (int k = 1; fit.spline.segments() > least && kept < fit.spline.segments();) {
     if (!samples.closed && k >= fit.spline.segments()) return;
     Stretch stretch = cut_out(fit, samples, k - 2, 4);
     const int joint = samples.closed ? 2 : k - stretch.first;
-    if (may_join(stretch, joint, tolerance)) {
+    const double most = squared_error(stretch.fit, stretch.samples) + worth_of_segment(options);
+    if (may_join(stretch, joint, options.tolerance)) {
       join_segments(stretch.fit.spline, stretch.fit.feet, joint);
-      if (refine_within(stretch.fit, stretch.samples, tolerance, stretch.options)) {
+      if (refine_within(stretch.fit, stretch.samples, options.tolerance, stretch.options) &&
+          squared_error(stretch.fit, stretch.samples) <= most) {
         put_back(fit, stretch);
         kept = 0, k = std::max(1, k - 1);
         continue;
@@ -276,7 +291,7 @@ std::vector<Cubic> fit_smooth(const Samples& samples, const FitOptions& options)
   rough.most_steps = kStepsBetweenChecks;
   refine_spline(fit.spline, fit.feet, samples, arc_weights(samples), rough);
   mend_failing(fit, samples, options);
-  drop_joints(fit, samples, options.tolerance);
+  drop_joints(fit, samples, options);
   polish(fit, samples, options.tolerance);
   straighten(fit, samples, options.tolerance);
   std::vector<Cubic> cubics;

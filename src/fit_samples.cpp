@@ -68,13 +68,6 @@ class EvenLine {
     return value < kCornerExcess ? 0 : value;
   }
 
-  // The mean of the window around i.
-  Vec2 mean(int i) const {
-    Vec2 sum;
-    for (int k = -half_window_; k <= half_window_; ++k) sum += point(i + k);
-    return sum / (2 * half_window_ + 1);
-  }
-
  private:
   Vec2 regression_direction(int i) const {
     Vec2 sum;
@@ -105,11 +98,50 @@ std::vector<int> corner_places(const EvenLine& line) {
   return places;
 }
 
-std::optional<Vec2> crossing_of_sides(const EvenLine& line, int place) {
-  const Vec2 a = line.mean(place - line.offset()), b = line.mean(place + line.offset());
-  const Vec2 u = line.direction(place - line.offset()), v = line.direction(place + line.offset());
-  if (std::abs(cross(u, v)) < 0.1) return std::nullopt;
-  return a + (cross(b - a, v) / cross(u, v)) * u;
+struct Side {
+  Vec2 point, direction;
+  double error = 0;  // px: root mean square distance from the line
+};
+
+// The line along the places from `low` to `high`.
+Side line_along(const EvenLine& line, int low, int high) {
+  Vec2 sum, moment;
+  for (int i = low; i <= high; ++i) sum += line.point(i);
+  const Vec2 mean = sum / (high - low + 1);
+  for (int i = low; i <= high; ++i) moment += (i - 0.5 * (low + high)) * (line.point(i) - mean);
+  const Vec2 u = unit(moment);
+  double squares = 0;
+  for (int i = low; i <= high; ++i) squares += cross(u, line.point(i) - mean) * cross(u, line.point(i) - mean);
+  return {mean, u, std::sqrt(squares / (high - low + 1))};
+}
+
+// The side of a corner towards `sign`, along as many of its first `room` places as are straight: the more, the less their noise
+// matters.
+Side straight_side(const EvenLine& line, int place, int sign, int room) {
+  const auto along = [&](int near, int far) {
+    return line_along(line, place + (sign > 0 ? near : -far), place + (sign > 0 ? far : -near));
+  };
+  const int half_span = line.offset();
+  Side side = along(half_span / 3, half_span + 2 * half_span / 3);
+  const double most = 1.25 * side.error + 0.02 * half_span * line.spacing();
+  for (const int far : {3 * half_span, 5 * half_span, 8 * half_span, 12 * half_span}) {
+    if (far > room - half_span) break;
+    const Side longer = along(half_span, far);
+    if (longer.error > most) break;
+    side = longer;
+  }
+  return side;
+}
+
+struct Room {
+  int before, after;  // places to the next corners or ends
+};
+
+std::optional<Vec2> crossing_of_sides(const EvenLine& line, int place, Room room) {
+  const Side a = straight_side(line, place, -1, room.before), b = straight_side(line, place, 1, room.after);
+  const double sine = cross(a.direction, b.direction);
+  if (std::abs(sine) < 0.1) return std::nullopt;
+  return a.point + (cross(b.point - a.point, b.direction) / sine) * a.direction;
 }
 
 int nearest_place(const EvenLine& line, int place, Vec2 p) {
@@ -138,9 +170,16 @@ Vec2 nearest_sample(const Samples& samples, double arc) {
   return samples.points[i];
 }
 
-Corner corner_at(const Samples& samples, const EvenLine& line, int place, double span) {
+Room room_at(const EvenLine& line, const std::vector<int>& places, std::size_t i) {
+  const int turn = line.closed() ? line.steps() : 0;
+  const int before = i > 0 ? places[i - 1] : line.closed() ? places.back() - turn : -line.offset();
+  const int after = i + 1 < places.size() ? places[i + 1] : line.closed() ? places.front() + turn : line.steps() + line.offset();
+  return {places[i] - before, after - places[i]};
+}
+
+Corner corner_at(const Samples& samples, const EvenLine& line, int place, Room room, double span) {
   const double turn = std::abs(line.turn(place - line.offset(), place + line.offset()));
-  if (const auto sides = crossing_of_sides(line, place)) {
+  if (const auto sides = crossing_of_sides(line, place, room)) {
     const int nearest = nearest_place(line, place, *sides);
     const double gap = norm(line.point(nearest) - *sides);
     // An arc that touches both sides and passes the corner at `gap` has this tangent length.
@@ -175,7 +214,9 @@ std::vector<Corner> find_corners(const Samples& samples, double span) {
   std::vector<Corner> corners;
   if (samples.points.size() < 3 || samples.arc.back() < span) return corners;
   const EvenLine line(samples, span);
-  for (const int place : corner_places(line)) corners.push_back(corner_at(samples, line, place, span));
+  const std::vector<int> places = corner_places(line);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    corners.push_back(corner_at(samples, line, places[i], room_at(line, places, i), span));
   std::ranges::sort(corners, {}, &Corner::arc);
   const auto same = [&](const Corner& a, const Corner& b) { return b.arc - a.arc < span / 2; };
   corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());

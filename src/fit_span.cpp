@@ -12,7 +12,8 @@ namespace inkgrid {
 namespace {
 
 constexpr int kMostPoints = 24;     // that a span is fitted to
-constexpr int kCandidates = 7;      // places tried for each cut
+constexpr double kPolygon = 2;      // of the limit: how far the polygon of possible cuts is from the points
+constexpr int kPlaces = 5;          // tried for each cut
 constexpr double kAlong = 0.05;     // weight of the distance along the curve against the one across it
 constexpr double kTooShort = 1e2;   // cost of a span that is too short
 constexpr double kOverLimit = 1e3;  // cost of a span beyond the limit, against a whole curve at the limit
@@ -79,7 +80,8 @@ void improve(Cubic& c, const Thinned& thinned) {
   for (int k = 0; k < thinned.count; ++k) {
     const double t = thinned.t[index(k)];
     const auto b = weights_at(t);
-    const Vec2 gap = point_on(c, t) - thinned.points[index(k)], along = unit(velocity_on(c, t)), across = quarter_turn(along);
+    const Vec2 gap = point_on(c, t) - thinned.points[index(k)], along = fast_unit(velocity_on(c, t)),
+               across = quarter_turn(along);
     const double w = k == 0 || k + 1 == thinned.count ? 1 : kAlong;
     Vector8 row, second;
     for (int i = 0; i < 4; ++i) {
@@ -100,98 +102,132 @@ struct Bracket {
   int low, high;
 };
 
-class Cutter {
- public:
-  Cutter(const Samples& samples, const CutOptions& options)
-      : samples_(samples), limit_(options.limit), shortest_(options.shortest) {}
-
-  // Cuts from `first` to `last` by brackets and dynamic programming.
-  std::vector<int> cut(int first, int last) const {
-    const std::vector<int> forward = greedy(first, last, 1), backward = greedy(last, first, -1);
-    const std::size_t n = std::min(forward.size(), backward.size()) - 1;
-    std::vector<Bracket> brackets{{first, first}};
-    for (std::size_t k = 1; k < n; ++k) {
-      const int a = forward[std::min(k, forward.size() - 1)], b = backward[std::min(n - k, backward.size() - 1)];
-      brackets.push_back({std::min(a, b), std::max(a, b)});
-    }
-    brackets.push_back({last, last});
-    const std::vector<int> cuts = best_cuts(brackets);
-    return cuts.empty() ? forward : cuts;
-  }
-
- private:
-  // The cuts, one in each bracket, of least cost; none where no choice is in order.
-  std::vector<int> best_cuts(const std::vector<Bracket>& brackets) const;
-
-  SpanFit fit(int a, int b) const { return fit_span(samples_, std::min(a, b), std::max(a, b)); }
-
-  double length(int a, int b) const { return std::abs(samples_.arc[index(b)] - samples_.arc[index(a)]); }
-
-  // The longest span from `from` in direction `sign`, not beyond `to`.
-  int reach(int from, int to, int sign) const {
-    const int most = std::abs(to - from);
-    int good = 1, bad = most + 1;
-    while (good < most && length(from, from + sign * good) < shortest_) ++good;
-    for (int step = 8; good < most && bad > most; step *= 2) {
-      const int next = std::min(most, std::max(good + 1, step));
-      (fit(from, from + sign * next).largest <= limit_ ? good : bad) = next;
-    }
-    while (bad - good > 1 + good / 64) {
-      const int middle = (good + bad) / 2;
-      (fit(from, from + sign * middle).largest <= limit_ ? good : bad) = middle;
-    }
-    return from + sign * good;
-  }
-
-  std::vector<int> greedy(int from, int to, int sign) const {
-    std::vector<int> cuts{from};
-    while (cuts.back() != to) cuts.push_back(reach(cuts.back(), to, sign));
-    return cuts;
-  }
-
-  const Samples& samples_;
-  double limit_, shortest_;
-};
-
-std::vector<int> candidates(const Bracket& bracket) {
+std::vector<int> places_in(const Bracket& bracket) {
   std::vector<int> places;
-  for (int i = 0; i < kCandidates; ++i) {
-    const int place = bracket.low + ((bracket.high - bracket.low) * i + (kCandidates - 1) / 2) / (kCandidates - 1);
+  for (int i = 0; i < kPlaces; ++i) {
+    const int place = bracket.low + ((bracket.high - bracket.low) * i + (kPlaces - 1) / 2) / (kPlaces - 1);
     if (places.empty() || place > places.back()) places.push_back(place);
   }
   return places;
 }
 
-std::vector<int> Cutter::best_cuts(const std::vector<Bracket>& brackets) const {
-  struct Choice {
-    double cost = std::numeric_limits<double>::infinity();
-    int before = -1;
-  };
-  const double whole = limit_ * limit_ * (samples_.arc[index(brackets.back().high)] - samples_.arc[index(brackets.front().low)]);
-  std::vector<std::vector<int>> places{candidates(brackets[0])};
-  std::vector<std::vector<Choice>> choices{{{0.0, -1}}};
-  for (std::size_t k = 1; k < brackets.size(); ++k) {
-    places.push_back(candidates(brackets[k]));
-    choices.emplace_back(places[k].size());
-    for (std::size_t j = 0; j < places[k].size(); ++j)
-      for (std::size_t i = 0; i < places[k - 1].size(); ++i) {
-        if (places[k - 1][i] >= places[k][j] || !std::isfinite(choices[k - 1][i].cost)) continue;
-        const SpanFit span = fit(places[k - 1][i], places[k][j]);
-        const double over = span.largest > limit_ ? kOverLimit * (span.largest / limit_) : 0;
-        const double brief = length(places[k - 1][i], places[k][j]) < shortest_ ? kTooShort : 0;
-        const double cost = choices[k - 1][i].cost + span.squares / whole + over + brief;
-        if (cost < choices[k][j].cost) choices[k][j] = {cost, static_cast<int>(i)};
-      }
-  }
-  std::vector<int> cuts(brackets.size());
-  int chosen = 0;
-  for (std::size_t k = brackets.size(); k-- > 0;) {
-    if (chosen < 0) return {};
-    cuts[k] = places[k][index(chosen)];
-    chosen = choices[k][index(chosen)].before;
-  }
-  return cuts;
+double distance_to_chord(Vec2 p, Vec2 a, Vec2 b) {
+  const double length2 = norm2(b - a);
+  const double t = length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0;
+  return norm(p - lerp(a, b, t));
 }
+
+class Cutter {
+ public:
+  Cutter(const Samples& samples, const CutOptions& options) : samples_(samples), options_(options) {}
+
+  std::vector<int> cut(int first, int last) const {
+    const std::vector<int> places = polygon(first, last);
+    const std::vector<int> chosen = cheapest_chain(places);
+    std::vector<Bracket> brackets;
+    for (const int i : chosen) {
+      const int before = places[index(std::max(i - 1, 0))], at = places[index(i)];
+      const int after = places[index(std::min(i + 1, static_cast<int>(places.size()) - 1))];
+      const bool end = at == first || at == last;
+      brackets.push_back(end ? Bracket{at, at} : Bracket{(before + at + 1) / 2, (at + after) / 2});
+    }
+    return best_cuts(brackets);
+  }
+
+ private:
+  double length(int a, int b) const { return samples_.arc[index(b)] - samples_.arc[index(a)]; }
+
+  struct Cost {
+    double value;
+    bool within;  // the limit
+  };
+
+  Cost cost(int a, int b) const {
+    const SpanFit span = fit_span(samples_, a, b);
+    const double over = span.largest > options_.limit ? kOverLimit * span.largest / options_.limit : 0;
+    const double brief = length(a, b) < options_.shortest ? kTooShort : 0;
+    return {1 + span.squares / options_.worth + over + brief, over == 0};
+  }
+
+  // The corners of a polygon along the points: where spans may meet.
+  std::vector<int> polygon(int first, int last) const {
+    std::vector<int> corners{first}, open{last};
+    while (!open.empty()) {
+      const int a = corners.back(), b = open.back();
+      int furthest = -1;
+      double most = kPolygon * options_.limit;
+      for (int i = a + 1; i < b; ++i) {
+        const double d = distance_to_chord(samples_.points[index(i)], samples_.points[index(a)], samples_.points[index(b)]);
+        if (d > most) most = d, furthest = i;
+      }
+      if (furthest >= 0) {
+        open.push_back(furthest);
+        continue;
+      }
+      corners.push_back(b);
+      open.pop_back();
+    }
+    return spaced(corners);
+  }
+
+  std::vector<int> spaced(const std::vector<int>& places) const {
+    std::vector<int> result{places.front()};
+    for (const int place : places)
+      if (place == places.back()
+              ? place > result.back()
+              : length(result.back(), place) >= options_.shortest && length(place, places.back()) >= options_.shortest)
+        result.push_back(place);
+    return result;
+  }
+
+  // Which of the places to cut at, by the shortest path from the first to the last one.
+  std::vector<int> cheapest_chain(const std::vector<int>& places) const {
+    const int n = static_cast<int>(places.size());
+    std::vector<double> best(index(n), std::numeric_limits<double>::infinity());
+    std::vector<int> from(index(n), -1);
+    best[0] = 0;
+    for (int i = 0; i + 1 < n; ++i)
+      for (int j = i + 1, failed = 0; j < n && failed < 2; ++j) {
+        const auto [value, within] = cost(places[index(i)], places[index(j)]);
+        if (best[index(i)] + value < best[index(j)]) best[index(j)] = best[index(i)] + value, from[index(j)] = i;
+        failed = within ? 0 : failed + 1;
+      }
+    std::vector<int> chain;
+    for (int i = n - 1; i >= 0; i = from[index(i)]) chain.push_back(i);
+    std::ranges::reverse(chain);
+    return chain;
+  }
+
+  // The cuts, one in each bracket, of least cost.
+  std::vector<int> best_cuts(const std::vector<Bracket>& brackets) const {
+    struct Choice {
+      double cost = std::numeric_limits<double>::infinity();
+      int before = -1;
+    };
+    std::vector<std::vector<int>> places{places_in(brackets[0])};
+    std::vector<std::vector<Choice>> choices{{{0.0, -1}}};
+    for (std::size_t k = 1; k < brackets.size(); ++k) {
+      places.push_back(places_in(brackets[k]));
+      choices.emplace_back(places[k].size());
+      for (std::size_t j = 0; j < places[k].size(); ++j)
+        for (std::size_t i = 0; i < places[k - 1].size(); ++i) {
+          if (places[k - 1][i] >= places[k][j]) continue;
+          const double value = choices[k - 1][i].cost + cost(places[k - 1][i], places[k][j]).value;
+          if (value < choices[k][j].cost) choices[k][j] = {value, static_cast<int>(i)};
+        }
+    }
+    std::vector<int> cuts(brackets.size());
+    int chosen = 0;
+    for (std::size_t k = brackets.size(); k-- > 0;) {
+      cuts[k] = places[k][index(chosen)];
+      chosen = choices[k][index(chosen)].before;
+    }
+    return cuts;
+  }
+
+  const Samples& samples_;
+  const CutOptions options_;
+};
 
 std::vector<int> even_cuts(int first, int last, int pieces) {
   std::vector<int> cuts;
@@ -236,12 +272,10 @@ std::vector<int> cut_into_spans(const Samples& samples, const CutOptions& option
   if (!samples.closed) return Cutter(samples, options).cut(0, last);
   const Samples twice = two_turns(samples);
   const Cutter cutter(twice, options);
-  std::vector<int> best = cutter.cut(0, last);
-  for (int turn = 0; turn < 2 && static_cast<int>(best.size()) > 2; ++turn) {
-    const int seam = best[best.size() / 2] % last;
-    const std::vector<int> cuts = cutter.cut(seam, seam + last);
-    if (!cuts.empty() && cuts.size() <= best.size()) best = cuts;
-  }
+  const std::vector<int> rough = cutter.cut(0, last);
+  // The arbitrary first point was a cut; a chosen one is not arbitrary.
+  const int seam = rough[rough.size() / 2] % last;
+  const std::vector<int> best = cutter.cut(seam, seam + last);
   return static_cast<int>(best.size()) > options.least
              ? best
              : even_cuts(best.front(), best.front() + last, std::min(options.least, last));

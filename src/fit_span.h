@@ -1,7 +1,8 @@
 // What:   where to cut a smooth stretch of points so that few cubic segments follow it.
 // Source: section 6.3, "Curve fitting": a compact result, few segments below an error.
-// Differs: the paper adds one segment at a time to a uniform spline; here the least number is bracketed from both ends, then the
-//          cuts of least squared error inside the brackets are chosen by dynamic programming.
+// Differs: the paper adds one segment at a time to a uniform spline; here dynamic programming weighs segments against squared
+// error, so
+//          that cuts fall where lines turn into arcs.
 // Cost:   some fifty fits of at most 24 points a segment.
 #pragma once
 
@@ -26,6 +27,7 @@ Samples two_turns(const Samples& samples);
 
 struct CutOptions {
   double limit = 1;     // px: largest distance of a point from its span's cubic
+  double worth = 1;     // px^3: another span must save as much of the squared distances times length
   double shortest = 3;  // px: shorter spans are avoided, since their directions are noise
   int least = 4;        // spans of a closed stretch
 };

@@ -178,7 +178,7 @@ class Fitter {
 
   void add_point(std::size_t i) {
     const auto [k, t] = place_of(spline_, feet_[i]);
-    const Vec2 tangent = unit(velocity_on(cubics_[index(k)], t));
+    const Vec2 tangent = fast_unit(velocity_on(cubics_[index(k)], t));
     const Vec2 gap = point_on(cubics_[index(k)], t) - samples_.points[i];
     const auto row = derivative(cubics_[index(k)], directions_[index(k)], t, quarter_turn(tangent));
     const double distance = cross(tangent, gap);
@@ -307,8 +307,14 @@ Vec2 acceleration_on(const Cubic& c, double t) {
   return 6 * ((1 - t) * (c.p2 - 2 * c.p1 + c.p0) + t * (c.p3 - 2 * c.p2 + c.p1));
 }
 
+Vec2 fast_unit(Vec2 a) {
+  const double squared = norm2(a);
+  return squared > 0 ? a / std::sqrt(squared) : a;
+}
+
 double approximate_length(const Cubic& c) {
-  return 0.5 * (norm(c.p3 - c.p0) + norm(c.p1 - c.p0) + norm(c.p2 - c.p1) + norm(c.p3 - c.p2));
+  const auto length = [](Vec2 a) { return std::sqrt(norm2(a)); };
+  return 0.5 * (length(c.p3 - c.p0) + length(c.p1 - c.p0) + length(c.p2 - c.p1) + length(c.p3 - c.p2));
 }
 
 void refine_spline(SmoothSpline& spline, Feet& feet, const Samples& samples, const std::vector<double>& weights,

@@ -30,6 +30,7 @@ using Feet = std::vector<double>;
 Vec2 point_on(const Cubic& cubic, double t);
 Vec2 velocity_on(const Cubic& cubic, double t);
 Vec2 acceleration_on(const Cubic& cubic, double t);
+Vec2 fast_unit(Vec2 a);  // without the care for overflow of unit()
 double approximate_length(const Cubic& cubic);
 
 struct RefineOptions {
