@@ -1,5 +1,4 @@
 """Rough drawings: each curve is searched for with several wobbly strokes of varying grey and width, which stop short or run on."""
-import cmath
 import math
 import random
 
