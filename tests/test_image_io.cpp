@@ -161,7 +161,7 @@ TEST(ImageIo, GreysOfAllDepths) {
         const int value = value_at(x, y) & most;
         return depth == 1 ? 255 * (1 - value) : depth == 16 ? value >> 8 : 255 * value / most;
       };
-      expect_pixels(decode_image(encode(grey_pix(depth), format), "x"), grey);
+      expect_pixels(decode_image(encode(grey_pix(depth), format), "x"), grey, depth == 16 ? 1 : 0);  // cut or rounded
     }
 }
 
@@ -177,7 +177,8 @@ TEST(ImageIo, BlackInkIsDarkInEveryBilevelFormat) {
 TEST(ImageIo, Palette) {
   for (const int depth : {1, 2, 4, 8})
     for (const int format : {IFF_PNG, IFF_TIFF, IFF_BMP}) {
-      if (format == IFF_BMP && depth == 2) continue;  // no such BMP
+      if (format == IFF_BMP && depth <= 2)
+        continue;  // Leptonica writes the first with its colours swapped, the second not at all
       SCOPED_TRACE(std::to_string(depth) + " bits, format " + std::to_string(format));
       PixOwner pix = grey_pix(depth);
       PixColormap* map = pixcmapCreate(depth);
@@ -187,6 +188,61 @@ TEST(ImageIo, Palette) {
       expect_pixels(decode_image(encode(pix, format), "x"),
                     [&](int x, int y) { return luma(entry(value_at(x, y) & ((1 << depth) - 1))); });
     }
+}
+
+void put(std::string& bytes, std::size_t value, int count) {
+  for (int i = 0; i < count; ++i, value >>= 8) bytes.push_back(static_cast<char>(value & 255));
+}
+
+// A BMP of the given header size and pixels, each of `bits` bits; kHeight rows of kWidth.
+std::string bmp(std::size_t header_size, std::size_t bits, const std::vector<std::uint32_t>& fields, bool top_down,
+                const std::function<std::uint32_t(int, int)>& pixel) {
+  std::string bytes = "BM";
+  put(bytes, 0, 8);
+  put(bytes, 14 + header_size + (header_size == 40 ? 4 * fields.size() : 0), 4);
+  put(bytes, header_size, 4);
+  put(bytes, kWidth, header_size == 12 ? 2 : 4);
+  put(bytes, static_cast<std::uint32_t>(top_down ? -kHeight : kHeight), header_size == 12 ? 2 : 4);
+  put(bytes, 1, 2);
+  put(bytes, bits, 2);
+  if (header_size > 12) {
+    put(bytes, fields.empty() ? 0 : 3, 4);
+    put(bytes, 0, 20);
+    for (const std::uint32_t f : fields) put(bytes, f, 4);
+    while (bytes.size() < 14 + header_size) bytes.push_back('\0');
+  }
+  for (int row = 0; row < kHeight; ++row) {
+    for (int x = 0; x < kWidth; ++x) put(bytes, pixel(x, top_down ? row : kHeight - 1 - row), static_cast<int>(bits / 8));
+    while ((bytes.size() - 14 - header_size - (header_size == 40 ? 4 * fields.size() : 0)) % 4) bytes.push_back('\0');
+  }
+  return bytes;
+}
+
+TEST(ImageIo, BmpOfManyKinds) {
+  const auto packed = [](int x, int y) {
+    const Colour c = colour_at(x, y);
+    return static_cast<std::uint32_t>(c.red << 16 | c.green << 8 | c.blue);
+  };
+  const auto exact = [](int x, int y) { return luma(colour_at(x, y)); };
+  expect_pixels(decode_image(bmp(12, 24, {}, false, packed), "x"), exact);
+  for (const std::size_t header : {40u, 108u, 124u})
+    for (const bool top_down : {false, true}) {
+      SCOPED_TRACE(header);
+      expect_pixels(decode_image(bmp(header, 24, {}, top_down, packed), "x"), exact);
+      expect_pixels(decode_image(bmp(header, 32, {}, top_down, packed), "x"), exact);
+      expect_pixels(decode_image(bmp(header, 32, {0xFF0000, 0xFF00, 0xFF}, top_down, packed), "x"), exact);
+      const auto of_16_bits = [](int x, int y) {
+        const Colour c = colour_at(x, y);
+        return static_cast<std::uint32_t>(c.red >> 3 << 11 | c.green >> 2 << 5 | c.blue >> 3);
+      };
+      expect_pixels(decode_image(bmp(header, 16, {0xF800, 0x7E0, 0x1F}, top_down, of_16_bits), "x"), exact, 5);
+    }
+  const auto half = [](int, int) { return 0x80000000u; };
+  expect_pixels(
+      decode_image(bmp(108, 32, {0xFF0000, 0xFF00, 0xFF, 0xFF000000}, false, half), "x"), [](int, int) { return 127; }, 1);
+  std::string packed_runs = bmp(40, 24, {}, false, packed);
+  packed_runs[30] = 1;
+  EXPECT_EQ(refusal(packed_runs), "'x.png' is a compressed BMP, which inkgrid does not read");
 }
 
 TEST(ImageIo, PaletteWithAlphaLiesOverWhite) {
@@ -232,7 +288,7 @@ TEST(ImageIo, CutFilesAreRefused) {
       const std::string why = refusal([&] { image = decode_image(std::string_view(sample.bytes).substr(0, n), "x.png"); });
       if (why.empty()) {
         ASSERT_EQ(image.grey, whole.grey) << "the first " << n << " of " << sample.bytes.size() << " bytes";
-        ASSERT_GT(n + 5, sample.bytes.size());
+        ASSERT_GT(n, sample.bytes.size() / 2);  // what may be cut stands behind the pixels
       } else if (n > 40) {
         ASSERT_EQ(why, "'x.png' is truncated or damaged") << n;
       }
@@ -252,7 +308,8 @@ TEST(ImageIo, HolesInAJpegAreRefused) {
 TEST(ImageIo, TrailingBytesDoNoHarm) {
   for (const Sample& sample : samples()) {
     SCOPED_TRACE(sample.what);
-    EXPECT_EQ(decode_image(sample.bytes + std::string(100, '\n'), "x").grey, decode_image(sample.bytes, "x").grey);
+    const Image whole = decode_image(sample.bytes, "x");
+    EXPECT_EQ(refusal([&] { EXPECT_EQ(decode_image(sample.bytes + std::string(100, '\n'), "x").grey, whole.grey); }), "");
   }
 }
 
@@ -295,7 +352,7 @@ TEST(ImageIo, DamagedBytesNeverCrash) {
   EXPECT_GT(refused, 100);
   EXPECT_GT(read, 100);
   for (int round = 0; round < 3000; ++round) {
-    std::string bytes = samples()[0].bytes.substr(0, 0);
+    std::string bytes;
     const char* magic[] = {"",    "\x89PNG\r\n\x1a\n", "\xff\xd8\xff\xe0", "II*", "MM", "RIFF1234WEBPVP8 ", "BM", "P1 3 3 ",
                            "P2 ", "P6 4 4 255\n"};
     bytes = magic[below(std::size(magic))];
