@@ -24,13 +24,12 @@ install_packages() {
   local missing
   missing=$(missing_packages "$1" | tr '\n' ' ')
   [ -n "$missing" ] || return 0
-  say "Installing $missing"
+  say "Installing $missing(a few minutes)"
   local by_hand="please install them first: apt-get install $missing"
   [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null || fail "neither root nor sudo, so packages can't be installed; $by_hand"
-  export DEBIAN_FRONTEND=noninteractive
-  as_root apt-get -qq update >&2 || fail "apt-get update failed; $by_hand"
+  as_root apt-get -qq update >/dev/null || fail "apt-get update failed; $by_hand"
   # shellcheck disable=SC2086
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >&2 || fail "apt-get install failed; $by_hand"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null || fail "apt-get install failed; $by_hand"
 }
 
 # configure TESTS (ON or OFF): build/ stays as it is where nothing changed.
