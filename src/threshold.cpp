@@ -21,16 +21,16 @@ constexpr int kWindow = 20;            // blocks: no stroke is wider than twice 
 constexpr float kFade = 0.97f;         // a block: the light of the paper falls by no more, what is darker is a patch of ink
 constexpr int kLocal = 2;              // px: over this distance the ink of an edge falls to none
 constexpr int kClimb = 3;              // px: and over this one more where the edge is soft
-constexpr int kBeyond = 3;             // px
+constexpr int kBeyond = 3;             // px: past the edge of a stroke
 constexpr double kFaintest = 0.04;     // darkness (fraction of the paper's light) below which nothing is ink
 constexpr double kFaintOfFull = 0.15;  // of full ink: lighter than this is soiled paper, not a stroke
 constexpr double kNoiseFactor = 5;     // weak ink stands out from the grain by this many standard deviations
 constexpr double kSeedFactor = 1.4;    // a stroke has a pixel this much darker than the weakest ink
-constexpr double kGrainy = 0.012;      // standard deviation of the paper above which the picture is smoothed first
-constexpr double kAnyGrain = 0.003;
-constexpr double kSpeck = 2;  // px of full ink: less is no dot; on clean and on grainy paper
-constexpr double kSpeckInGrain = 6;
-constexpr long kPinhole = 16;  // px
+constexpr double kGrainy = 0.012;      // standard deviation of the paper's darkness above which the picture is smoothed first
+constexpr double kAnyGrain = 0.003;    // and below which there is none
+constexpr double kSpeck = 2;           // px of full ink: less is no dot, on paper without grain
+constexpr double kSpeckInGrain = 6;    // and with it
+constexpr long kPinhole = 16;          // px
 
 // The drawing as dark lines on light paper, whichever way it came.
 struct View {
