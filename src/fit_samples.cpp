@@ -9,8 +9,8 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kCornerTurn = 38 * std::numbers::pi / 180;    // least turn of a corner
-constexpr double kCornerExcess = 30 * std::numbers::pi / 180;  // of which the curvature on both sides explains all but this
+constexpr double kCornerTurn = 39 * std::numbers::pi / 180;    // least turn of a corner
+constexpr double kCornerExcess = 34 * std::numbers::pi / 180;  // of which the curvature on both sides explains all but this
 constexpr double kMostSamples = 50000;
 
 std::size_t index(int i) {

@@ -10,7 +10,9 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kThirdsWeight = 1e-4;  // of the pull of handles towards a third of the length, which evens the speed
+constexpr int kFootSteps = 5;  // of Newton's method, at most: joints slide slowly when feet lag behind
+constexpr double kFootSettled = 1e-4;
+constexpr double kThirdsWeight = 2e-6;  // of the pull of handles towards a third of the length, which evens the speed
 constexpr double kShortestHandle = 0.04, kLongestHandle = 0.8;  // of the segment's length
 constexpr double kSharpestTurn = 55 * std::numbers::pi / 180;   // within 1/16 of a segment's parameter: else it is a kink
 
@@ -82,9 +84,13 @@ double step_foot(const SmoothSpline& spline, const std::vector<Cubic>& cubics, d
   return (other + n) % n + (next < 0 ? 1 - into : into);
 }
 
-void move_feet(const SmoothSpline& spline, const std::vector<Cubic>& cubics, const Samples& samples, Feet& feet, int steps) {
+void move_feet(const SmoothSpline& spline, const std::vector<Cubic>& cubics, const Samples& samples, Feet& feet) {
   for (std::size_t i = 0; i < feet.size(); ++i)
-    for (int step = 0; step < steps; ++step) feet[i] = step_foot(spline, cubics, feet[i], samples.points[i]);
+    for (int step = 0; step < kFootSteps; ++step) {
+      const double before = feet[i];
+      feet[i] = step_foot(spline, cubics, before, samples.points[i]);
+      if (std::abs(feet[i] - before) < kFootSettled) break;
+    }
   if (!spline.closed) feet.front() = 0, feet.back() = spline.segments();
 }
 
@@ -119,9 +125,11 @@ class Fitter {
 
   void run() {
     cubics_ = cubics_of(spline_);
-    move_feet(spline_, cubics_, samples_, feet_, 2);
+    for (const Cubic& cubic : cubics_) thirds_.push_back(approximate_length(cubic) / 3);
+    move_feet(spline_, cubics_, samples_, feet_);
     double damping = 1e-3;
     int settled = 0;
+    bool easy = true;
     for (int step = 0; step < options_.most_steps && settled < 2 && damping < 1e6; ++step) {
       assemble();
       const double before = energy(spline_, cubics_, feet_);
@@ -132,18 +140,20 @@ class Fitter {
         continue;
       }
       const std::vector<Cubic> cubics = cubics_of(spline);
-      move_feet(spline, cubics, samples_, feet, 1);
+      move_feet(spline, cubics, samples_, feet);
       const double after = energy(spline, cubics, feet);
       if (!(after < before)) {
-        damping *= 8;
+        damping *= 4;
+        easy = false;
         if (!(after > before * (1 + 1e-9))) ++settled;
         continue;
       }
       settled = before - after < 2e-4 * before ? settled + 1 : 0;
       spline_ = spline, feet_ = feet, cubics_ = cubics;
-      damping = std::max(1e-7, damping / 6);
+      if (easy) damping = std::max(1e-7, damping / 6);
+      easy = true;
     }
-    move_feet(spline_, cubics_, samples_, feet_, 2);
+    move_feet(spline_, cubics_, samples_, feet_);
   }
 
  private:
@@ -161,12 +171,8 @@ class Fitter {
   void assemble() {
     local_.assign(cubics_.size(), {});
     pull_.assign(cubics_.size(), 0);
-    thirds_.clear();
     directions_.clear();
-    for (const Cubic& cubic : cubics_) {
-      thirds_.push_back(approximate_length(cubic) / 3);
-      directions_.push_back({unit(cubic.p1 - cubic.p0), unit(cubic.p3 - cubic.p2)});
-    }
+    for (const Cubic& cubic : cubics_) directions_.push_back({unit(cubic.p1 - cubic.p0), unit(cubic.p3 - cubic.p2)});
     for (std::size_t i = 0; i < feet_.size(); ++i) add_point(i);
     for (std::size_t k = 0; k < local_.size(); ++k)
       for (int side = 0; side < 2; ++side) {
@@ -225,15 +231,17 @@ class Fitter {
       const int global = of_segment_[k][index(unknown)];
       return global < 0 ? 0.0 : -step[index(global)];
     };
-    const double length = 3 * thirds_[k];
+    const double length = approximate_length(cubics_[k]);
     for (int side = 0; side < 2; ++side) {
       double& handle = proposal.handles[k][index(side)];
       handle = std::clamp(handle + change(start_handle + side), kShortestHandle * length, kLongestHandle * length);
     }
     const auto end = index(spline_.joint_after(static_cast<int>(k)));
     if (k == 0 && !spline_.closed) proposal.angles[0] += std::clamp(change(start_angle), -0.5, 0.5);
-    proposal.angles[end] += std::clamp(change(end_angle), -0.5, 0.5);
-    proposal.joints[end] += Vec2{change(end_x), change(end_y)};
+    const double turn = std::clamp(change(end_angle), -0.5, 0.5);
+    proposal.angles[end] += turn;
+    // A joint that slides along the curve turns on the way, so it leaves in a direction between the old and the new one.
+    proposal.joints[end] += Vec2{std::cos(turn / 2), std::sin(turn / 2)} * Vec2{change(end_x), change(end_y)};
   }
 
   SmoothSpline& spline_;
@@ -246,7 +254,7 @@ class Fitter {
   std::vector<Cubic> cubics_;
   std::vector<LocalSystem> local_;
   std::vector<std::array<Vec2, 2>> directions_;  // of travel at both ends of each segment
-  std::vector<double> thirds_, pull_;            // per segment: a third of its length, the weight that draws handles to it
+  std::vector<double> thirds_, pull_;  // per segment: a third of its length at first, the weight that draws handles to it
 };
 
 bool is_fair(const Cubic& cubic) {

@@ -1,0 +1,453 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "drawings.h"
+#include "fit.h"
+
+namespace inkgrid {
+namespace {
+
+using Line = std::vector<Vec2>;
+using Cubics = std::vector<Cubic>;
+using std::numbers::pi;
+
+constexpr FitOptions kOptions{0.6, 6};
+
+Vec2 at(const Cubic& c, double t) {
+  const double s = 1 - t;
+  return s * s * s * c.p0 + 3 * s * s * t * c.p1 + 3 * s * t * t * c.p2 + t * t * t * c.p3;
+}
+
+// Points of a polygon at steps of about `step`, its vertices among them.
+Line dense(const Line& vertices, double step = 1) {
+  Line line{vertices.front()};
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const int pieces = std::max(1, static_cast<int>(norm(vertices[i] - vertices[i - 1]) / step));
+    for (int k = 1; k <= pieces; ++k) line.push_back(lerp(vertices[i - 1], vertices[i], static_cast<double>(k) / pieces));
+  }
+  return line;
+}
+
+Line arc(Vec2 centre, double radius, double from, double to) {
+  return testing::arc(centre, radius, from, to, std::max(8, static_cast<int>(radius * std::abs(to - from))));
+}
+
+Line full_circle(Vec2 centre, double radius) {
+  Line line = arc(centre, radius, 0.3, 0.3 + 2 * pi);
+  line.back() = line.front();
+  return line;
+}
+
+Line joined(const std::vector<Line>& parts) {
+  Line line;
+  for (const Line& part : parts)
+    for (const Vec2 p : part)
+      if (line.empty() || norm(p - line.back()) > 1e-9) line.push_back(p);
+  return line;
+}
+
+Line rounded_rectangle(double w, double h, double r) {
+  Line line = joined({dense({{r, 0}, {w - r, 0}}), arc({w - r, r}, r, -pi / 2, 0), dense({{w, r}, {w, h - r}}),
+                      arc({w - r, h - r}, r, 0, pi / 2), dense({{w - r, h}, {r, h}}), arc({r, h - r}, r, pi / 2, pi),
+                      dense({{0, h - r}, {0, r}}), arc({r, r}, r, pi, 1.5 * pi)});
+  line.back() = line.front();
+  return line;
+}
+
+Line star_vertices(int points, double outer, double inner) {
+  Line vertices;
+  for (int i = 0; i <= 2 * points; ++i) {
+    const double angle = pi * (i % (2 * points)) / points + 0.3;
+    vertices.push_back((i % 2 ? inner : outer) * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  return vertices;
+}
+
+Line ellipse(double a, double b) {
+  Line line;
+  for (int i = 0; i <= 400; ++i) line.push_back({a * std::cos(2 * pi * i / 400), b * std::sin(2 * pi * i / 400)});
+  line.back() = line.front();
+  return line;
+}
+
+// A cubic polynomial wave: one inflection.
+Line s_curve() {
+  const Cubic c{{0, 0}, {120, 10}, {30, 140}, {150, 150}};
+  Line line;
+  for (int i = 0; i <= 250; ++i) line.push_back(at(c, i / 250.0));
+  return line;
+}
+
+// A curve of random, slowly changing curvature of radius 17 at least.
+Line smooth_walk(unsigned seed, int steps) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Line line;
+  Vec2 p{300, 300};
+  double angle = 0, curvature = 0;
+  for (int i = 0; i < steps; ++i) {
+    line.push_back(p);
+    curvature = std::clamp(0.97 * curvature + 0.004 * normal(random), -0.06, 0.06);
+    angle += curvature;
+    p += Vec2{std::cos(angle), std::sin(angle)};
+  }
+  return line;
+}
+
+Line noisy(Line line, bool closed, unsigned seed, double amplitude = 0.25) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-amplitude, amplitude);
+  for (Vec2& p : line) p += Vec2{shift(random), shift(random)};
+  if (closed) line.back() = line.front();
+  return line;
+}
+
+Line mapped(Line line, Vec2 rotation, Vec2 shift) {
+  for (Vec2& p : line) p = rotation * p + shift;
+  return line;
+}
+
+Line sampled(const Cubics& cubics, int steps = 64) {
+  Line line;
+  for (const Cubic& c : cubics)
+    for (int i = 0; i <= steps; ++i) line.push_back(at(c, static_cast<double>(i) / steps));
+  return line;
+}
+
+// The largest distance of a point of `a` from the polyline `b`.
+double reach(const Line& a, const Line& b) {
+  double worst = 0;
+  for (const Vec2 p : a) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) nearest = std::min(nearest, testing::distance_to_segment(p, b[i], b[i + 1]));
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+double distance_both_ways(const Cubics& cubics, const Line& line) {
+  const Line curve = sampled(cubics);
+  return std::max(reach(line, curve), reach(curve, line));
+}
+
+double turn_at_joint(const Cubic& a, const Cubic& b) {
+  const Vec2 u = a.p3 - a.p2, v = b.p1 - b.p0;
+  return std::abs(std::atan2(cross(u, v), dot(u, v)));
+}
+
+void expect_chain(const Cubics& cubics, const Line& line, bool closed) {
+  ASSERT_FALSE(cubics.empty());
+  for (std::size_t i = 0; i + 1 < cubics.size(); ++i) EXPECT_TRUE(cubics[i].p3 == cubics[i + 1].p0) << "joint " << i;
+  for (const Cubic& c : cubics)
+    for (const Vec2 p : {c.p0, c.p1, c.p2, c.p3}) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+  if (closed) {
+    EXPECT_TRUE(cubics.back().p3 == cubics.front().p0);
+  } else {
+    EXPECT_TRUE(cubics.front().p0 == line.front());
+    EXPECT_TRUE(cubics.back().p3 == line.back());
+  }
+}
+
+void expect_smooth(const Cubics& cubics, bool closed) {
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < cubics.size(); ++i)
+    EXPECT_LT(turn_at_joint(cubics[i], cubics[(i + 1) % cubics.size()]), 1e-9) << "joint " << i;
+}
+
+void expect_fair(const Cubics& cubics) {
+  for (const Cubic& c : cubics) {
+    const Line line = sampled({c}, 200);
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);
+    EXPECT_LE(norm(c.p1 - c.p0), length);
+    EXPECT_LE(norm(c.p3 - c.p2), length);
+    EXPECT_GT(norm(c.p1 - c.p0), 0.01 * length);
+    EXPECT_GT(norm(c.p3 - c.p2), 0.01 * length);
+    for (std::size_t i = 2; i < line.size(); ++i)
+      EXPECT_GT(dot(unit(line[i] - line[i - 1]), unit(line[i - 1] - line[i - 2])), 0.7) << "a fold";
+  }
+}
+
+struct Shape {
+  const char* name;
+  Line line;
+  bool closed;
+  int most;  // segments
+};
+
+std::vector<Shape> smooth_shapes() {
+  return {{"line", dense({{10, 20}, {230, 70}}), false, 1},
+          {"short line", dense({{10, 20}, {13, 21}}), false, 1},
+          {"quarter arc", arc({5, 5}, 100, 0.2, 0.2 + pi / 2), false, 1},
+          {"small quarter arc", arc({5, 5}, 15, 0.2, 0.2 + pi / 2), false, 1},
+          {"half circle", arc({5, 5}, 100, 0.2, 0.2 + pi), false, 2},
+          {"circle 100", full_circle({110, 110}, 100), true, 4},
+          {"circle 20", full_circle({30, 30}, 20), true, 4},
+          {"circle 7.5", full_circle({30, 30}, 7.5), true, 4},
+          {"ellipse", ellipse(110, 50), true, 4},
+          {"s", s_curve(), false, 2},
+          {"rounded rectangle", rounded_rectangle(200, 120, 30), true, 8},
+          {"small rounded rectangle", rounded_rectangle(80, 60, 12), true, 8},
+          {"hook", joined({dense({{10, 100}, {90, 100}}), arc({90, 60}, 40, pi / 2, -pi / 2), dense({{90, 20}, {30, 20}})}),
+           false, 4}};
+}
+
+TEST(Fit, SmoothShapesTakeFewSegmentsWithinTheTolerance) {
+  for (const Shape& shape : smooth_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Cubics cubics = fit_polyline(shape.line, shape.closed, kOptions);
+    expect_chain(cubics, shape.line, shape.closed);
+    expect_smooth(cubics, shape.closed);
+    expect_fair(cubics);
+    EXPECT_LE(static_cast<int>(cubics.size()), shape.most);
+    EXPECT_LE(distance_both_ways(cubics, shape.line), kOptions.tolerance + 0.02);
+  }
+}
+
+TEST(Fit, NoiseAddsNeitherCornersNorSegments) {
+  for (const Shape& shape : smooth_shapes())
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      SCOPED_TRACE(shape.name);
+      SCOPED_TRACE(seed);
+      const Line line = noisy(shape.line, shape.closed, seed);
+      const Cubics cubics = fit_polyline(line, shape.closed, kOptions);
+      expect_chain(cubics, line, shape.closed);
+      expect_smooth(cubics, shape.closed);
+      expect_fair(cubics);
+      EXPECT_LE(static_cast<int>(cubics.size()), shape.most + (shape.most > 1 ? 1 : 0));
+      EXPECT_LE(reach(line, sampled(cubics)), kOptions.tolerance + 0.02);
+      EXPECT_LE(distance_both_ways(cubics, shape.line), kOptions.tolerance);  // the truth, which is nearer than the noise
+    }
+}
+
+TEST(Fit, AStraightLineHasItsHandlesAtThirds) {
+  const Vec2 a{10, 20}, b{230, 70};
+  const Cubics exact = fit_polyline(dense({a, b}), false, kOptions);
+  ASSERT_EQ(exact.size(), 1u);
+  EXPECT_LT(norm(exact[0].p1 - lerp(a, b, 1.0 / 3)), 1e-9);
+  EXPECT_LT(norm(exact[0].p2 - lerp(a, b, 2.0 / 3)), 1e-9);
+  Line line = noisy(dense({a, b}), false, 5);
+  line.front() = a, line.back() = b;
+  const Cubics rough = fit_polyline(line, false, kOptions);
+  ASSERT_EQ(rough.size(), 1u);
+  EXPECT_LT(norm(rough[0].p1 - lerp(a, b, 1.0 / 3)), 1e-9);
+}
+
+TEST(Fit, JointsFallWhereLinesTurnIntoArcs) {
+  const double r = 30, w = 200, h = 120;
+  const Cubics cubics = fit_polyline(noisy(rounded_rectangle(w, h, r), true, 4), true, kOptions);
+  ASSERT_EQ(cubics.size(), 8u);
+  const Line transitions{{r, 0}, {w - r, 0}, {w, r}, {w, h - r}, {w - r, h}, {r, h}, {0, h - r}, {0, r}};
+  for (const Vec2 p : transitions) {
+    double nearest = 1e9;
+    for (const Cubic& c : cubics) nearest = std::min(nearest, norm(c.p0 - p));
+    EXPECT_LT(nearest, 6) << p.x << ", " << p.y;
+  }
+}
+
+TEST(Fit, TheCurveIsCentredInTheNoise) {
+  const Vec2 centre{110, 110};
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Cubics cubics = fit_polyline(noisy(full_circle(centre, 100), true, seed), true, {1.5, 6});
+    double squares = 0;
+    const Line curve = sampled(cubics);
+    for (const Vec2 p : curve) squares += std::pow(norm(p - centre) - 100, 2);
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(curve.size())), 0.12);
+  }
+}
+
+struct Cornered {
+  const char* name;
+  Line vertices;
+  bool closed;
+};
+
+std::vector<Cornered> cornered_shapes() {
+  return {{"right angle", {{10, 10}, {100, 10}, {100, 100}}, false},
+          {"55 degree turn", {{10, 10}, {100, 10}, {100 + 90 * std::cos(0.96), 10 + 90 * std::sin(0.96)}}, false},
+          {"zigzag", {{10, 10}, {40, 60}, {70, 10}, {100, 60}, {130, 10}, {140, 60}, {150, 10}}, false},
+          {"square", {{10, 10}, {60, 10}, {60, 60}, {10, 60}, {10, 10}}, true},
+          {"small square", {{10, 10}, {22, 10}, {22, 22}, {10, 22}, {10, 10}}, true},
+          {"five-pointed star", star_vertices(5, 100, 40), true},
+          {"star of 20 degrees", star_vertices(9, 100, 38), true}};
+}
+
+void expect_corners(const Cubics& cubics, const Cornered& shape) {
+  EXPECT_EQ(cubics.size(), shape.vertices.size() - 1);
+  for (const Vec2 vertex : shape.vertices) {
+    double nearest = 1e9;
+    for (const Cubic& c : cubics) nearest = std::min({nearest, norm(c.p0 - vertex), norm(c.p3 - vertex)});
+    EXPECT_LT(nearest, 0.5) << vertex.x << ", " << vertex.y;
+  }
+}
+
+TEST(Fit, CornersStaySharpAndInPlace) {
+  for (const Cornered& shape : cornered_shapes())
+    for (const unsigned seed : {0u, 1u, 2u, 3u}) {
+      SCOPED_TRACE(shape.name);
+      SCOPED_TRACE(seed);
+      Line line = dense(shape.vertices);
+      if (seed > 0) line = noisy(line, shape.closed, seed, 0.15);
+      const Cubics cubics = fit_polyline(line, shape.closed, kOptions);
+      expect_chain(cubics, line, shape.closed);
+      expect_corners(cubics, shape);
+      EXPECT_LE(reach(sampled(cubics), line), kOptions.tolerance);
+    }
+}
+
+TEST(Fit, RoundedCornersAreSharpened) {
+  for (const double radius : {1.0, 2.0, 3.0})
+    for (const unsigned seed : {0u, 1u, 2u}) {
+      SCOPED_TRACE(radius);
+      Line line = joined({dense({{10, 10}, {100 - radius, 10}}), arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
+                          dense({{100, 10 + radius}, {100, 100}})});
+      if (seed > 0) line = noisy(line, false, seed);
+      const Cubics cubics = fit_polyline(line, false, kOptions);
+      ASSERT_EQ(cubics.size(), 2u);
+      EXPECT_LT(norm(cubics[0].p3 - Vec2{100, 10}), 0.5);
+    }
+}
+
+TEST(Fit, BendsOfAStrokeWidthAndMoreAreNotCorners) {
+  for (const double radius : {8.0, 12.0, 20.0}) {
+    SCOPED_TRACE(radius);
+    const Line line = joined({dense({{10, 10}, {100 - radius, 10}}), arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
+                              dense({{100, 10 + radius}, {100, 100}})});
+    expect_smooth(fit_polyline(line, false, kOptions), false);
+  }
+}
+
+TEST(Fit, ASeamMovesToACorner) {
+  // A drop: a circle's arc with two tangents that meet at (0, 0), begun on the arc.
+  const double opening = 0.5, radius = 50, far = radius / std::sin(opening);
+  const Vec2 centre{far, 0}, tip{0, 0};
+  const Vec2 up = centre + radius * Vec2{-std::sin(opening), std::cos(opening)};
+  const Vec2 down = centre + radius * Vec2{-std::sin(opening), -std::cos(opening)};
+  const double last = std::atan2(up.y - centre.y, up.x - centre.x);
+  Line line = joined({arc(centre, radius, 0, last), dense({up, tip, down}), arc(centre, radius, -last, 0)});
+  line.back() = line.front();
+  const Cubics cubics = fit_polyline(line, true, kOptions);
+  expect_chain(cubics, line, true);
+  EXPECT_LT(norm(cubics.front().p0 - tip), 0.5);
+  EXPECT_LE(cubics.size(), 5u);
+  for (std::size_t i = 0; i + 1 < cubics.size(); ++i) EXPECT_LT(turn_at_joint(cubics[i], cubics[i + 1]), 1e-9);
+  EXPECT_GT(turn_at_joint(cubics.back(), cubics.front()), 1);
+}
+
+TEST(Fit, FollowsMotionsAndScale) {
+  const Vec2 rotation{std::cos(0.7), std::sin(0.7)}, shift{31.7, -12.3};
+  for (const Shape& shape : smooth_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Line line = noisy(shape.line, shape.closed, 9);
+    const Cubics plain = fit_polyline(line, shape.closed, kOptions);
+    const Line moved = mapped(line, rotation, shift);
+    const Cubics turned = fit_polyline(moved, shape.closed, kOptions);
+    EXPECT_EQ(turned.size(), plain.size());
+    EXPECT_LT(distance_both_ways(turned, mapped(sampled(plain), rotation, shift)), kOptions.tolerance / 2);
+    const Cubics larger =
+        fit_polyline(mapped(line, {7, 0}, {0, 0}), shape.closed, {7 * kOptions.tolerance, 7 * kOptions.corner_span});
+    EXPECT_EQ(larger.size(), plain.size());
+    EXPECT_LT(distance_both_ways(larger, mapped(sampled(plain), {7, 0}, {0, 0})), 7 * kOptions.tolerance / 2);
+  }
+}
+
+TEST(Fit, ReversalChangesNothing) {
+  for (const Shape& shape : smooth_shapes()) {
+    SCOPED_TRACE(shape.name);
+    Line line = noisy(shape.line, shape.closed, 9);
+    const Cubics forward = fit_polyline(line, shape.closed, kOptions);
+    std::ranges::reverse(line);
+    const Cubics backward = fit_polyline(line, shape.closed, kOptions);
+    EXPECT_EQ(forward.size(), backward.size());
+    EXPECT_LT(distance_both_ways(forward, sampled(backward)), kOptions.tolerance / 2);
+  }
+}
+
+TEST(Fit, ALargerToleranceNeverTakesMoreSegments) {
+  for (const Shape& shape : smooth_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Line line = noisy(shape.line, shape.closed, 11, 0.1);
+    std::size_t before = 1000;
+    for (const double tolerance : {0.3, 0.6, 1.2, 2.4, 4.8}) {
+      const std::size_t count = fit_polyline(line, shape.closed, {tolerance, 6}).size();
+      EXPECT_LE(count, before) << tolerance;
+      before = count;
+    }
+  }
+}
+
+TEST(Fit, RandomSmoothCurvesStayWithinTheTolerance) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const Line truth = smooth_walk(seed, 300 + 20 * static_cast<int>(seed));
+    const Line line = seed % 2 ? truth : noisy(truth, false, seed);
+    const double tolerance = seed % 3 ? 0.6 : 1.2;
+    const Cubics cubics = fit_polyline(line, false, {tolerance, 6});
+    expect_chain(cubics, line, false);
+    expect_smooth(cubics, false);
+    EXPECT_LE(reach(line, sampled(cubics)), tolerance + 0.02);
+    EXPECT_LE(reach(sampled(cubics), line), tolerance + 0.02);
+    EXPECT_LE(static_cast<double>(cubics.size()), 2 + static_cast<double>(truth.size()) / 40);
+  }
+}
+
+TEST(Fit, NoiseBeyondTheToleranceIsFollowedAllTheSame) {
+  const Line line = noisy(dense({{10, 20}, {90, 30}}), false, 3);
+  const Cubics cubics = fit_polyline(line, false, {0.15, 6});
+  expect_chain(cubics, line, false);
+  EXPECT_GT(cubics.size(), 4u);
+  EXPECT_LE(reach(line, sampled(cubics)), 0.4);
+}
+
+TEST(Fit, DegenerateInputsGiveFiniteCurves) {
+  const Vec2 a{3, 4}, b{10, 4};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(fit_polyline({}, false, kOptions).empty());
+  for (const bool closed : {false, true})
+    for (const Line& line : std::vector<Line>{{a},
+                                              {a, a},
+                                              {a, a, a, a},
+                                              {a, b},
+                                              {a, b, a},
+                                              {a, a, b, b},
+                                              {a, b, a, b, a},
+                                              {a, {nan, 1}, b},
+                                              {a, a + Vec2{1e-14, 0}, b},
+                                              {a, a + Vec2{1e-9, 0}, a + Vec2{0, 1e-9}, a}}) {
+      SCOPED_TRACE(line.size());
+      const Cubics cubics = fit_polyline(line, closed, kOptions);
+      expect_chain(cubics, line, closed && cubics.size() > 1);
+    }
+  const Cubics point = fit_polyline(Line{a, a, a}, true, kOptions);
+  ASSERT_EQ(point.size(), 1u);
+  EXPECT_TRUE(point[0].p0 == a && point[0].p3 == a);
+}
+
+TEST(Fit, CurvesKeepWhatChainsKnow) {
+  Chains chains;
+  chains.junctions = {{10, 10}, {90, 40}};
+  Line loop = full_circle({60, 60}, 40);
+  chains.chains.push_back({dense({{10, 10}, {90, 40}}), false, 0, 1, 3.5, 0.9});
+  chains.chains.push_back({loop, true, -1, -1, 2.5, 1});
+  chains.junctions.push_back(loop.front());
+  chains.chains.push_back({loop, true, 2, 2, 2.5, 1});
+  const Drawing drawing = fit_curves(chains, kOptions);
+  ASSERT_EQ(drawing.curves.size(), 3u);
+  EXPECT_EQ(drawing.junctions.size(), 3u);
+  const Curve& line = drawing.curves[0];
+  EXPECT_EQ(line.start_junction, 0);
+  EXPECT_EQ(line.end_junction, 1);
+  EXPECT_EQ(line.width, 3.5);
+  EXPECT_EQ(line.coverage, 0.9);
+  EXPECT_TRUE(line.segments.front().p0 == drawing.junctions[0]);
+  EXPECT_TRUE(line.segments.back().p3 == drawing.junctions[1]);
+  EXPECT_TRUE(drawing.curves[1].closed);
+  EXPECT_TRUE(drawing.curves[2].segments.front().p0 == drawing.junctions[2]);
+  EXPECT_TRUE(drawing.curves[2].segments.back().p3 == drawing.junctions[2]);
+}
+
+}  // namespace
+}  // namespace inkgrid
