@@ -95,20 +95,17 @@ Transition Unfolder::transport(const GraphEdge& edge) const {
   return total;
 }
 
-// An edge that leaves and arrives on the same side of a grid point, seen in one chart, has turned back to the same grid point.
-// Both isolines must agree on that chart: else a singular vertex or a hole lies between them, and the two crossings are real.
+// Two edges between the same nodes, one of each family, that go through the same charts: both nodes are one grid point there, and
+// as no grid point lies between, both edges turn back.  Where the charts differ, a singular vertex or a hole lies between the
+// edges and the isolines do cross twice.
 std::optional<Fold> Unfolder::fold_at(int node) {
   for (const int u_port : {1, 3}) {
     for (const int v_port : {0, 2}) {
       const GraphEdge& u = leave(node, u_port);
-      if (u.to_port < 0 || u.to == node) continue;
-      const int u_arrival = u.to_port;
-      const int other = u.to;
       const GraphEdge& v = leave(node, v_port);
-      if (v.to != other || v.to_port < 0) continue;
-      const Transition t = transport(leave(node, u_port));
-      if (!(t == transport(v)) || u_arrival != ((u_port + t.turn) & 3) || v.to_port != ((v_port + t.turn) & 3)) continue;
-      return Fold{node, other, {u_port, v_port}, {u_arrival, v.to_port}};
+      const bool between_two_grid_nodes = u.to == v.to && u.to != node && u.to_port >= 0;
+      if (!between_two_grid_nodes || !(transport(u) == transport(v))) continue;
+      return Fold{node, u.to, {u_port, v_port}, {u.to_port, v.to_port}};
     }
   }
   return std::nullopt;
@@ -139,8 +136,7 @@ int Unfolder::merge(int first, int first_port, int second, int second_port) {
 void Unfolder::remove(const Fold& fold, std::vector<int>& pending) {
   for (int i = 0; i < 2; ++i) {
     const GraphEdge& merged = at(graph_.edges, merge(fold.first, at(fold.first_ports, i), fold.second, at(fold.second_ports, i)));
-    if (merged.to_port >= 0) pending.push_back(merged.to);
-    if (merged.from_port >= 0) pending.push_back(merged.from);
+    if (merged.from_port >= 0 && merged.to_port >= 0) pending.push_back(merged.from);  // a new fold would be between these two
   }
   at(removed_node_, fold.first) = at(removed_node_, fold.second) = 1;
 }

@@ -42,7 +42,7 @@ struct IsolineGraph {
   std::vector<GraphEdge> edges;
 };
 
-// All isolines of both families.  `skipped`: components of the mesh to leave out (their map means nothing).
+// All isolines of both families, also through folds of the map, where they cross several times (remove_folds).  `skipped`: components of the mesh to leave out (their map means nothing).
 IsolineGraph trace_isolines(const BandMesh& mesh, const ExactMap& map, const std::vector<int>& skipped_components);
 
 }  // namespace inkgrid
