@@ -18,7 +18,7 @@ std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh&
   std::vector<Interval> parts;
   for (std::size_t i = 0; i < edge.faces.size(); ++i) {
     const auto f = static_cast<std::size_t>(edge.faces[i]);
-    if (!mesh.on_ink[f] || !agrees(labels[f], edge.family[i])) continue;
+    if (!mesh.in_stroke[f] || !agrees(labels[f], edge.family[i])) continue;
     if (!parts.empty() && lengths[i] - parts.back().to <= bridged)
       parts.back().to = lengths[i + 1];
     else

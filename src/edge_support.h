@@ -15,8 +15,8 @@ struct Interval {
   double to = 0;
 };
 
-// The parts of the edge that run along a stroke: on ink, in faces whose label agrees (an unlabelled face on ink
-// agrees with everything).  Gaps shorter than `bridged` px between two such parts are closed.
+// The parts of the edge that run along a stroke: in faces that are in_stroke and whose label agrees (an unlabelled one
+// agrees with everything); labels as spread_labels gives them.  Gaps shorter than `bridged` px between two such parts are closed.
 std::vector<Interval> supported_intervals(const GraphEdge& edge, const BandMesh& mesh, const std::vector<Label>& labels,
                                           double bridged);
 

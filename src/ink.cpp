@@ -78,25 +78,6 @@ struct Envelope {
   }
 };
 
-Raster<float> euclidean_gap(const Raster<std::uint8_t>& mask) {
-  const int w = mask.width, h = mask.height;
-  Raster<float> gap(w, h);
-  Envelope column(h);
-  for (int x = 0; x < w; ++x) {
-    for (int y = 0; y < h; ++y) column.value[static_cast<std::size_t>(y)] = mask(x, y) ? 0.0f : std::numeric_limits<float>::max();
-    column.transform(h);
-    for (int y = 0; y < h; ++y) gap(x, y) = column.value[static_cast<std::size_t>(y)];
-  }
-  Envelope row(w);
-  for (int y = 0; y < h; ++y) {
-    float* const begin = &gap.data[gap.index(0, y)];
-    std::copy(begin, begin + w, row.value.begin());
-    row.transform(w);
-    std::transform(row.value.begin(), row.value.end(), begin, [](float d2) { return std::sqrt(d2); });
-  }
-  return gap;
-}
-
 bool is_centre(const Raster<std::uint16_t>& depth, int x, int y) {
   const auto d = depth(x, y);
   if (d == 0) return false;
@@ -152,6 +133,34 @@ Raster<float> normalized_centre_distance(const Raster<std::uint16_t>& depth) {
 
 }  // namespace
 
+Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
+  const int w = mask.width, h = mask.height;
+  Raster<float> gap(w, h);
+  Envelope column(h);
+  for (int x = 0; x < w; ++x) {
+    for (int y = 0; y < h; ++y) column.value[static_cast<std::size_t>(y)] = mask(x, y) ? 0.0f : std::numeric_limits<float>::max();
+    column.transform(h);
+    for (int y = 0; y < h; ++y) gap(x, y) = column.value[static_cast<std::size_t>(y)];
+  }
+  Envelope row(w);
+  for (int y = 0; y < h; ++y) {
+    float* const begin = &gap.data[gap.index(0, y)];
+    std::copy(begin, begin + w, row.value.begin());
+    row.transform(w);
+    std::transform(row.value.begin(), row.value.end(), begin, [](float d2) { return std::sqrt(d2); });
+  }
+  return gap;
+}
+
+Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
+  const auto r = static_cast<float>(radius);
+  Raster<std::uint8_t> outside(ink.width(), ink.height());
+  for (std::size_t i = 0; i < outside.data.size(); ++i) outside.data[i] = ink.gap.data[i] > r;
+  const Raster<float> inside = distance_to(outside);
+  for (std::size_t i = 0; i < outside.data.size(); ++i) outside.data[i] = ink.mask.data[i] || inside.data[i] > r;
+  return outside;
+}
+
 Ink measure_ink(Binarisation binarisation) {
   Ink ink;
   ink.threshold = binarisation.threshold;
@@ -161,7 +170,7 @@ Ink measure_ink(Binarisation binarisation) {
   ink.pixels = static_cast<long>(std::count(ink.mask.data.begin(), ink.mask.data.end(), std::uint8_t{1}));
   if (ink.pixels == 0) return ink;
   ink.depth = l1_depth(ink.mask);
-  ink.gap = euclidean_gap(ink.mask);
+  ink.gap = distance_to(ink.mask);
   ink.centre_distance = normalized_centre_distance(ink.depth);
   ink.stroke_width = average_stroke_width(ink.depth);
   return ink;

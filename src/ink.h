@@ -27,6 +27,12 @@ struct Ink {
   int height() const { return mask.height; }
 };
 
+// Per pixel: the Euclidean distance to the nearest pixel with a value other than 0, px.
+Raster<float> distance_to(const Raster<std::uint8_t>& mask);
+
+// The ink with paper narrower than 2 radius (px) closed, as between the strokes of one over-sketched line.
+Raster<std::uint8_t> closed_ink(const Ink& ink, double radius);
+
 // The image's border counts as a continuation of what lies on it, not as background.
 Ink measure_ink(Binarisation binarisation);
 

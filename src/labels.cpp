@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "base/sample.h"
 #include "base/transition.h"
@@ -91,6 +92,27 @@ class StreamlineTracer {
 };
 
 }  // namespace
+
+std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std::vector<Label> labels) {
+  std::deque<int> queue;
+  for (int f = 0; f < mesh.face_count(); ++f)
+    if (labels[static_cast<std::size_t>(f)] != Label::none) queue.push_back(f);
+  while (!queue.empty()) {
+    const int f = queue.front();
+    queue.pop_front();
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int twin = mesh.twins[static_cast<std::size_t>(h)];
+      if (twin < 0) continue;
+      const auto g = static_cast<std::size_t>(face_of(twin));
+      if (labels[g] != Label::none || mesh.on_ink[g] || !mesh.in_stroke[g]) continue;
+      const bool along_s =
+          (labels[static_cast<std::size_t>(f)] == Label::along_s) == (charts.turns[static_cast<std::size_t>(h)] % 2 == 0);
+      labels[g] = along_s ? Label::along_s : Label::along_t;
+      queue.push_back(face_of(twin));
+    }
+  }
+  return labels;
+}
 
 std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options) {
   std::vector<Label> labels(mesh.faces.size(), Label::none);

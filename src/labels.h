@@ -21,6 +21,9 @@ struct LabelOptions {
   double ratio = 0.48;  // above it the triangle stays unlabelled
 };
 
+// Labels carried from the ink over the paper between strokes of one line (faces in_stroke), breadth first through the charts.
+std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std::vector<Label> labels);
+
 std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options);
 
 }  // namespace inkgrid

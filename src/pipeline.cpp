@@ -87,10 +87,11 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, int bin
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  const Chains covered = merge_junctions(drop_uncovered(chains, ink, bins), width, width);
+  const Chains covered = merge_junctions(drop_uncovered(chains, ink, bins), width);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
-  attached = merge_junctions(std::move(attached), width, width);
-  return reach_ends(locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width), ink, ends);
+  attached = merge_junctions(drop_doubles(drop_spurs(std::move(attached), 0.3), 0.35 * width), width);
+  Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
+  return drop_spurs(reach_ends(std::move(located), ink, ends), 0.6);
 }
 
 }  // namespace
@@ -130,11 +131,13 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
   stages.graph = run("isolines", 0.92, [&] { return trace_isolines(stages.mesh, stages.exact, stages.map.failed_components); });
   stages.chains = run("chains", 0.95, [&] {
-    return chain_strokes(stages.graph, stages.mesh, stages.labels, stages.ink, {report.reach, options.coverage_bins});
+    const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
+    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink, {report.reach, options.coverage_bins});
   });
   const double width = stages.ink.stroke_width;
-  stages.chains = run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach, options.coverage_bins); });
-  const FitOptions fit_options{options.tolerance.value_or(report.reach) * width, width};
+  stages.chains =
+      run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach, options.coverage_bins); });
+  const FitOptions fit_options{options.tolerance.value_or(0.12) * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
   stages.drawing.junctions = std::move(fitted.junctions);

@@ -1,6 +1,8 @@
 #include "simplify.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "base/union_find.h"
 #include "ends.h"
@@ -29,16 +31,6 @@ std::vector<int> degrees(const Chains& chains) {
     for (const int j : {chain.start_junction, chain.end_junction})
       if (j >= 0) ++degree[static_cast<std::size_t>(j)];
   return degree;
-}
-
-void drop_spurs(Chains& chains, double spur) {
-  const auto degree = degrees(chains);
-  const auto is_spur = [&](const Chain& c) {
-    const int j = std::max(c.start_junction, c.end_junction);
-    if (c.closed || j < 0 || std::min(c.start_junction, c.end_junction) >= 0) return false;
-    return degree[static_cast<std::size_t>(j)] >= 3 && length_of(c) < spur;
-  };
-  std::erase_if(chains.chains, is_spur);
 }
 
 void collapse_links(Chains& chains, double link) {
@@ -90,8 +82,90 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins) {
   return dissolve_junctions(std::move(chains));
 }
 
-Chains merge_junctions(Chains chains, double spur, double link) {
-  drop_spurs(chains, spur);
+namespace {
+
+// All points of all chains, binned so that neighbours are found at once.
+class PointBins {
+ public:
+  PointBins(const std::vector<Chain>& chains, double cell) : cell_(cell) {
+    for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
+      const auto& points = chains[static_cast<std::size_t>(c)].points;
+      for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+        const Vec2 p = points[static_cast<std::size_t>(k)];
+        entries_.push_back({column(p.x), column(p.y), c, p, tangent_at(points, k, 2, false)});
+      }
+    }
+    std::sort(entries_.begin(), entries_.end(), before);
+  }
+
+  // Whether a point of another chain that is still alive, running the same way, is within the cell size of p.
+  bool has_companion(Vec2 p, Vec2 direction, int chain, const std::vector<std::uint8_t>& alive) const {
+    for (int y = column(p.y) - 1; y <= column(p.y) + 1; ++y) {
+      auto it = std::lower_bound(entries_.begin(), entries_.end(), Entry{column(p.x) - 1, y, -1, {}, {}}, before);
+      for (; it != entries_.end() && it->y == y && it->x <= column(p.x) + 1; ++it)
+        if (it->chain != chain && alive[static_cast<std::size_t>(it->chain)] && norm2(it->point - p) <= cell_ * cell_ &&
+            std::abs(dot(it->direction, direction)) > 0.8)
+          return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Entry {
+    int x, y, chain;
+    Vec2 point, direction;
+  };
+  static bool before(const Entry& a, const Entry& b) {
+    if (a.y != b.y) return a.y < b.y;
+    return a.x != b.x ? a.x < b.x : a.chain < b.chain;
+  }
+  int column(double v) const { return static_cast<int>(std::floor(v / cell_)); }
+
+  double cell_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+Chains drop_doubles(Chains chains, double distance) {
+  for (auto& c : chains.chains) c.points = resampled(c.points, 0.5 * distance);
+  const PointBins bins(chains.chains, distance);
+  std::vector<int> order(chains.chains.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> length;
+  for (const auto& c : chains.chains) length.push_back(length_of(c));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
+  for (const int c : order) {
+    const auto& points = chains.chains[static_cast<std::size_t>(c)].points;
+    int doubled = 0;
+    for (int k = 0; k < static_cast<int>(points.size()); ++k)
+      doubled += bins.has_companion(points[static_cast<std::size_t>(k)], tangent_at(points, k, 2, false), c, alive);
+    if (7 * doubled >= 6 * static_cast<int>(points.size())) alive[static_cast<std::size_t>(c)] = 0;
+  }
+  std::vector<Chain> kept;
+  for (std::size_t c = 0; c < chains.chains.size(); ++c)
+    if (alive[c]) kept.push_back(std::move(chains.chains[c]));
+  chains.chains = std::move(kept);
+  return dissolve_junctions(std::move(chains));
+}
+
+Chains drop_spurs(Chains chains, double share) {
+  const auto degree = degrees(chains);
+  std::vector<double> widest(chains.junctions.size(), 0);
+  for (const auto& c : chains.chains)
+    for (const int j : {c.start_junction, c.end_junction})
+      if (j >= 0) widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], c.width);
+  std::erase_if(chains.chains, [&](const Chain& c) {
+    const int j = std::max(c.start_junction, c.end_junction);
+    if (c.closed || j < 0 || std::min(c.start_junction, c.end_junction) >= 0) return false;
+    return degree[static_cast<std::size_t>(j)] >= 3 && length_of(c) < share * widest[static_cast<std::size_t>(j)];
+  });
+  return dissolve_junctions(std::move(chains));
+}
+
+Chains merge_junctions(Chains chains, double link) {
   collapse_links(chains, link);
   return dissolve_junctions(std::move(chains));
 }

@@ -11,8 +11,15 @@ namespace inkgrid {
 // bin is dropped.
 Chains drop_uncovered(Chains chains, const Ink& ink, int bins);
 
-// Chains with one free end, shorter than `spur` px, hanging on a junction, are dropped; junctions linked by chains shorter than
-// `link` px become one; junctions that are none any more are dissolved.
-Chains merge_junctions(Chains chains, double spur, double link);
+// Chains that run within `distance` px of others all along (but for a seventh of their length), the shorter ones first, are
+// dropped.
+Chains drop_doubles(Chains chains, double distance);
+
+// Chains with one free end, hanging on a junction and shorter than `share` times the widest of its branches, are dropped: their
+// ink is that of the junction.
+Chains drop_spurs(Chains chains, double share);
+
+// Junctions linked by chains shorter than `link` px become one; junctions that are none any more are dissolved.
+Chains merge_junctions(Chains chains, double link);
 
 }  // namespace inkgrid
