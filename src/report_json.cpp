@@ -1,9 +1,8 @@
 #include "report_json.h"
 
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "base/decimal.h"
 #include "options.h"
 
 namespace inkgrid {
@@ -11,10 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Three significant digits are what a person wants to read.
 std::string brief(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr};
+  return decimal(value, 2);
 }
 
 struct JsonValue {

@@ -1,27 +1,20 @@
 #include "export/svg.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
+#include "base/decimal.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
 namespace {
 
-// At most three decimals, without trailing zeros, in the C locale.
-std::string decimal(double value) {
+std::string number(double value) {
   if (!(std::abs(value) < 1e9)) throw Error(ErrorCode::numerics, "a curve has a coordinate that is no number");
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 3).ptr;
-  std::string text(buffer.data(), end);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return decimal(value, 3);
 }
 
 std::string point(Vec2 p) {
-  return decimal(p.x) + ',' + decimal(p.y);
+  return number(p.x) + ',' + number(p.y);
 }
 
 std::string path_data(const Curve& curve) {
@@ -50,8 +43,8 @@ std::string opening_tag(const Drawing& drawing) {
   const bool scaled = drawing.pixels_per_mm > 0;
   const double unit = scaled ? drawing.pixels_per_mm : 1;
   const std::string suffix = scaled ? "mm\"" : "\"";
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + decimal(drawing.width) + ' ' + decimal(drawing.height) +
-         "\" width=\"" + decimal(drawing.width / unit) + suffix + " height=\"" + decimal(drawing.height / unit) + suffix + ">\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(drawing.width) + ' ' + number(drawing.height) +
+         "\" width=\"" + number(drawing.width / unit) + suffix + " height=\"" + number(drawing.height / unit) + suffix + ">\n";
 }
 
 }  // namespace
@@ -60,10 +53,10 @@ std::string svg_text(const Drawing& drawing, const std::string& description) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_tag(drawing);
   text += "<metadata>" + escaped(description) + "</metadata>\n";
   text += "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  int number = 0;
+  int count = 0;
   for (const Curve& curve : drawing.curves) {
-    text += "<path id=\"curve-" + std::to_string(++number) + '"';
-    if (curve.width > 0) text += " stroke-width=\"" + decimal(curve.width) + '"';
+    text += "<path id=\"curve-" + std::to_string(++count) + '"';
+    if (curve.width > 0) text += " stroke-width=\"" + number(curve.width) + '"';
     text += " d=\"" + path_data(curve) + "\"/>\n";
   }
   return text + "</g>\n</svg>\n";
