@@ -22,6 +22,14 @@ double total_length(const std::vector<Vec2>& points) {
   return lengths_along(points).back();
 }
 
+// Whether the part lies on strokes, along them or across.
+bool on_stroke(const GraphEdge& edge, const BandMesh& mesh, const std::vector<double>& lengths, Interval part) {
+  for (std::size_t i = 0; i < edge.faces.size(); ++i)
+    if (lengths[i + 1] > part.from && lengths[i] < part.to && !mesh.in_stroke[static_cast<std::size_t>(edge.faces[i])])
+      return false;
+  return true;
+}
+
 // Keeps what runs along a stroke of each edge; parts that touch neither end become free pieces.
 std::vector<Piece> stroke_pieces(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels,
                                  double width) {
@@ -43,8 +51,8 @@ std::vector<Piece> stroke_pieces(const IsolineGraph& graph, const BandMesh& mesh
     }
     for (const auto& part : parts) {
       Piece piece;
-      if (is_node(edge.from) && part.from <= 0.25 * width) piece.from = edge.from;
-      if (is_node(edge.to) && part.to >= whole - 0.25 * width) piece.to = edge.to;
+      if (is_node(edge.from) && part.from <= width && on_stroke(edge, mesh, lengths, {0, part.from})) piece.from = edge.from;
+      if (is_node(edge.to) && whole - part.to <= width && on_stroke(edge, mesh, lengths, {part.to, whole})) piece.to = edge.to;
       const Interval kept{piece.from >= 0 ? 0 : part.from, piece.to >= 0 ? whole : part.to};
       if (piece.from < 0 && piece.to < 0 && kept.to - kept.from < width) continue;
       piece.points = cut_out(edge.path, lengths, kept);

@@ -16,8 +16,9 @@ struct Chain {
   bool closed = false;
   int start_junction = -1;  // index into Chains::junctions, or -1
   int end_junction = -1;
-  double width = 0;     // px
-  double coverage = 0;  // 0..1
+  double width = 0;      // px
+  double coverage = 0;   // 0..1
+  double confirmed = 0;  // length along which paper bounds it on both sides, px (follow_ridges)
 };
 
 struct Chains {

@@ -77,6 +77,11 @@ void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& re
   for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
 }
 
+// An isoline that goes on past a junction to the rim of the ink is half a stroke long, a stub that was drawn at least this much (strokes).
+constexpr double kRawSpur = 0.85;
+// The same for ends that are half a stroke inside the ink.
+constexpr double kSpur = 0.35;
+
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
 Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, int bins) {
   const double width = ink.stroke_width;
@@ -87,11 +92,11 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, int bin
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  const Chains covered = merge_junctions(drop_uncovered(chains, ink, bins), width);
+  const Chains covered = merge_junctions(drop_spurs(drop_uncovered(chains, ink, bins), kRawSpur), width);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
-  attached = merge_junctions(drop_doubles(drop_spurs(std::move(attached), 0.3), 0.35 * width), width);
+  attached = merge_junctions(drop_spurs(drop_doubles(std::move(attached), 0.35 * width), kSpur), width);
   Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
-  return drop_spurs(reach_ends(std::move(located), ink, ends), 0.6);
+  return drop_spurs(reach_ends(std::move(located), ink, ends), kSpur);
 }
 
 }  // namespace

@@ -199,6 +199,9 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
     const auto usual = usual_widths(ridge.sections, width_span, ink.stroke_width);
     judge(ridge.sections, usual);
     ridge.chain.width = median(usual);
+    ridge.chain.confirmed =
+        options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
+                                                         [](const CrossSection& x) { return x.weight == 1; }));
     const double ratio = options.smooth / options.step;
     move_points(ridge, normals, ratio * ratio * ratio * ratio);
   }

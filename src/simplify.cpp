@@ -35,7 +35,11 @@ std::vector<int> degrees(const Chains& chains) {
 
 void collapse_links(Chains& chains, double link) {
   UnionFind groups(static_cast<int>(chains.junctions.size()));
-  const auto is_link = [&](const Chain& c) { return c.start_junction >= 0 && c.end_junction >= 0 && length_of(c) < link; };
+  const auto is_link = [&](const Chain& c) {
+    if (c.start_junction < 0 || c.end_junction < 0) return false;
+    const double length = length_of(c);
+    return length < link || (length < 2.5 * link && c.confirmed < 0.25 * link);
+  };
   for (const auto& c : chains.chains)
     if (is_link(c)) groups.unite(c.start_junction, c.end_junction);
   std::erase_if(chains.chains, is_link);
@@ -98,13 +102,15 @@ class PointBins {
     std::sort(entries_.begin(), entries_.end(), before);
   }
 
-  // Whether a point of another chain that is still alive, running the same way, is within the cell size of p.
-  bool has_companion(Vec2 p, Vec2 direction, int chain, const std::vector<std::uint8_t>& alive) const {
+  // Whether a point of another chain that is still alive is within `distance` (at most the cell size) of p and runs the same way,
+  // to an angle of this cosine.
+  bool has_companion(Vec2 p, Vec2 direction, int chain, const std::vector<std::uint8_t>& alive, double distance,
+                     double cosine) const {
     for (int y = column(p.y) - 1; y <= column(p.y) + 1; ++y) {
       auto it = std::lower_bound(entries_.begin(), entries_.end(), Entry{column(p.x) - 1, y, -1, {}, {}}, before);
       for (; it != entries_.end() && it->y == y && it->x <= column(p.x) + 1; ++it)
-        if (it->chain != chain && alive[static_cast<std::size_t>(it->chain)] && norm2(it->point - p) <= cell_ * cell_ &&
-            std::abs(dot(it->direction, direction)) > 0.8)
+        if (it->chain != chain && alive[static_cast<std::size_t>(it->chain)] && norm2(it->point - p) <= distance * distance &&
+            std::abs(dot(it->direction, direction)) >= cosine)
           return true;
     }
     return false;
@@ -125,6 +131,14 @@ class PointBins {
   std::vector<Entry> entries_;
 };
 
+Chains kept_chains(Chains chains, const std::vector<std::uint8_t>& alive) {
+  std::vector<Chain> kept;
+  for (std::size_t c = 0; c < chains.chains.size(); ++c)
+    if (alive[c]) kept.push_back(std::move(chains.chains[c]));
+  chains.chains = std::move(kept);
+  return dissolve_junctions(std::move(chains));
+}
+
 }  // namespace
 
 Chains drop_doubles(Chains chains, double distance) {
@@ -141,14 +155,11 @@ Chains drop_doubles(Chains chains, double distance) {
     const auto& points = chains.chains[static_cast<std::size_t>(c)].points;
     int doubled = 0;
     for (int k = 0; k < static_cast<int>(points.size()); ++k)
-      doubled += bins.has_companion(points[static_cast<std::size_t>(k)], tangent_at(points, k, 2, false), c, alive);
+      doubled +=
+          bins.has_companion(points[static_cast<std::size_t>(k)], tangent_at(points, k, 2, false), c, alive, distance, 0.8);
     if (7 * doubled >= 6 * static_cast<int>(points.size())) alive[static_cast<std::size_t>(c)] = 0;
   }
-  std::vector<Chain> kept;
-  for (std::size_t c = 0; c < chains.chains.size(); ++c)
-    if (alive[c]) kept.push_back(std::move(chains.chains[c]));
-  chains.chains = std::move(kept);
-  return dissolve_junctions(std::move(chains));
+  return kept_chains(std::move(chains), alive);
 }
 
 Chains drop_spurs(Chains chains, double share) {
@@ -157,12 +168,19 @@ Chains drop_spurs(Chains chains, double share) {
   for (const auto& c : chains.chains)
     for (const int j : {c.start_junction, c.end_junction})
       if (j >= 0) widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], c.width);
-  std::erase_if(chains.chains, [&](const Chain& c) {
+  const double widest_of_all = widest.empty() ? 0 : *std::max_element(widest.begin(), widest.end());
+  if (widest_of_all <= 0) return chains;
+  const PointBins bins(chains.chains, share * widest_of_all);
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
+  for (std::size_t i = 0; i < chains.chains.size(); ++i) {
+    const Chain& c = chains.chains[i];
     const int j = std::max(c.start_junction, c.end_junction);
-    if (c.closed || j < 0 || std::min(c.start_junction, c.end_junction) >= 0) return false;
-    return degree[static_cast<std::size_t>(j)] >= 3 && length_of(c) < share * widest[static_cast<std::size_t>(j)];
-  });
-  return dissolve_junctions(std::move(chains));
+    if (c.closed || j < 0 || std::min(c.start_junction, c.end_junction) >= 0 || degree[static_cast<std::size_t>(j)] < 3) continue;
+    const double distance = share * widest[static_cast<std::size_t>(j)];
+    alive[i] = !std::all_of(c.points.begin(), c.points.end(),
+                            [&](Vec2 p) { return bins.has_companion(p, {}, static_cast<int>(i), alive, distance, 0); });
+  }
+  return kept_chains(std::move(chains), alive);
 }
 
 Chains merge_junctions(Chains chains, double link) {

@@ -15,11 +15,12 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins);
 // dropped.
 Chains drop_doubles(Chains chains, double distance);
 
-// Chains with one free end, hanging on a junction and shorter than `share` times the widest of its branches, are dropped: their
-// ink is that of the junction.
+// Chains with one free end, hanging on a junction and nowhere further than `share` times the widest of its branches from other
+// chains, are dropped: their ink is that of the others.
 Chains drop_spurs(Chains chains, double share);
 
-// Junctions linked by chains shorter than `link` px become one; junctions that are none any more are dissolved.
+// Junctions linked by chains shorter than `link` px, or shorter than 2.5 times that and nowhere bounded by paper on both sides,
+// become one; junctions that are none any more are dissolved.
 Chains merge_junctions(Chains chains, double link);
 
 }  // namespace inkgrid
