@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kSpanLimit =
     0.85;                           // of the tolerance: what spans fitted on their own may use, since smooth joints cost a little
-constexpr double kWorth = 1.2;      // tolerance^2 * corner_span: squared error times length that justifies another segment
+constexpr double kWorth = 0.8;      // tolerance^2 * corner_span: squared error times length that justifies another segment
 constexpr int kClosedSegments = 4;  // at least, on a closed smooth curve
 constexpr int kRecuts = 10;         // of a stretch that stays outside the tolerance
 constexpr double kRecutFactor = 0.75;
-constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 12;  // of least squares
+constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 30;  // of least squares
 constexpr double kStraight = 0.12;  // of the tolerance: added to the error of the curve that a line is compared with
 
 std::size_t index(int i) {

@@ -17,9 +17,11 @@ struct FitOptions {
   double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
 };
 
-// The fewest cubic segments within the tolerance.  The end points are interpolated to the last digit; segments share their joints
-// to the last digit; joints that are not corners are smooth (G1, tangents equal to 1e-9); a closed polyline (front == back) gives
-// a closed curve, smooth at its seam unless the seam is a corner (a closed curve's seam is moved to a corner if it has one).
+// Few cubic segments within the tolerance, but for points that cut a corner (they are left out, and the corner is where its sides
+// meet). Segments are weighed against squared error, so that joints fall where lines turn into arcs.  The end points are
+// interpolated to the last digit; segments share their joints to the last digit; joints that are not corners are smooth (G1,
+// tangents equal to 1e-9); a closed polyline (front == back) gives a closed curve, smooth at its seam unless the seam is a corner
+// (a closed curve's seam is moved to a corner if it has one).
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
 
 Drawing fit_curves(const Chains& chains, const FitOptions& options);

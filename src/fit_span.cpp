@@ -11,7 +11,7 @@
 namespace inkgrid {
 namespace {
 
-constexpr int kMostPoints = 24;     // that a span is fitted to
+constexpr int kMostPoints = 20;     // that a span is fitted to
 constexpr double kPolygon = 2;      // of the limit: how far the polygon of possible cuts is from the points
 constexpr int kPlaces = 5;          // tried for each cut
 constexpr double kAlong = 0.05;     // weight of the distance along the curve against the one across it
@@ -43,17 +43,12 @@ Thinned thin(const Samples& samples, int first, int last) {
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-std::array<double, 4> weights_at(double t) {
-  const double s = 1 - t;
-  return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-}
-
 Cubic fit_by_arc(const Thinned& thinned) {
   Eigen::Matrix4d matrix = 1e-9 * Eigen::Matrix4d::Identity();
   Eigen::Matrix<double, 4, 2> right = Eigen::Matrix<double, 4, 2>::Zero();
   const Vec2 origin = thinned.points[0];
   for (int k = 0; k < thinned.count; ++k) {
-    const auto b = weights_at(thinned.t[index(k)]);
+    const auto b = bernstein(thinned.t[index(k)]);
     const Eigen::Vector4d row(b[0], b[1], b[2], b[3]);
     const Vec2 p = thinned.points[index(k)] - origin;
     matrix += row * row.transpose();
@@ -79,7 +74,7 @@ void improve(Cubic& c, const Thinned& thinned) {
   Vector8 right = Vector8::Zero();
   for (int k = 0; k < thinned.count; ++k) {
     const double t = thinned.t[index(k)];
-    const auto b = weights_at(t);
+    const auto b = bernstein(t);
     const Vec2 gap = point_on(c, t) - thinned.points[index(k)], along = fast_unit(velocity_on(c, t)),
                across = quarter_turn(along);
     const double w = k == 0 || k + 1 == thinned.count ? 1 : kAlong;

@@ -10,7 +10,8 @@
 namespace inkgrid {
 namespace {
 
-constexpr int kFootSteps = 5;  // of Newton's method, at most: joints slide slowly when feet lag behind
+constexpr std::size_t kPointsPerSegment = 64;  // more are thinned out
+constexpr int kFootSteps = 5;                  // of Newton's method, at most: joints slide slowly when feet lag behind
 constexpr double kFootSettled = 1e-4;
 constexpr double kThirdsWeight = 2e-6;  // of the pull of handles towards a third of the length, which evens the speed
 constexpr double kShortestHandle = 0.04, kLongestHandle = 0.8;  // of the segment's length
@@ -84,19 +85,15 @@ double step_foot(const SmoothSpline& spline, const std::vector<Cubic>& cubics, d
   return (other + n) % n + (next < 0 ? 1 - into : into);
 }
 
-void move_feet(const SmoothSpline& spline, const std::vector<Cubic>& cubics, const Samples& samples, Feet& feet) {
-  for (std::size_t i = 0; i < feet.size(); ++i)
+void move_feet(const SmoothSpline& spline, const std::vector<Cubic>& cubics, const Samples& samples, std::size_t stride,
+               Feet& feet) {
+  for (std::size_t i = 0; i < feet.size(); i += stride)
     for (int step = 0; step < kFootSteps; ++step) {
       const double before = feet[i];
       feet[i] = step_foot(spline, cubics, before, samples.points[i]);
       if (std::abs(feet[i] - before) < kFootSettled) break;
     }
   if (!spline.closed) feet.front() = 0, feet.back() = spline.segments();
-}
-
-std::array<double, 4> bernstein(double t) {
-  const double s = 1 - t;
-  return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
 }
 
 // The derivative of the distance along `normal` by the segment's unknowns.
@@ -121,12 +118,13 @@ class Fitter {
         samples_(samples),
         weights_(weights),
         options_(options),
+        stride_(std::max<std::size_t>(1, feet.size() / (kPointsPerSegment * spline.handles.size()))),
         of_segment_(number_unknowns(spline, options, count_)) {}
 
   void run() {
     cubics_ = cubics_of(spline_);
     for (const Cubic& cubic : cubics_) thirds_.push_back(approximate_length(cubic) / 3);
-    move_feet(spline_, cubics_, samples_, feet_);
+    move_feet(spline_, cubics_, samples_, stride_, feet_);
     double damping = 1e-3;
     int settled = 0;
     bool easy = true;
@@ -140,7 +138,7 @@ class Fitter {
         continue;
       }
       const std::vector<Cubic> cubics = cubics_of(spline);
-      move_feet(spline, cubics, samples_, feet);
+      move_feet(spline, cubics, samples_, stride_, feet);
       const double after = energy(spline, cubics, feet);
       if (!(after < before)) {
         damping *= 4;
@@ -153,13 +151,14 @@ class Fitter {
       if (easy) damping = std::max(1e-7, damping / 6);
       easy = true;
     }
-    move_feet(spline_, cubics_, samples_, feet_);
+    for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i] = feet_[i - i % stride_];
+    move_feet(spline_, cubics_, samples_, 1, feet_);
   }
 
  private:
   double energy(const SmoothSpline& spline, const std::vector<Cubic>& cubics, const Feet& feet) const {
     double sum = 0;
-    for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t i = 0; i < feet.size(); i += stride_) {
       const auto [k, t] = place_of(spline, feet[i]);
       sum += weights_[i] * norm2(point_on(cubics[index(k)], t) - samples_.points[i]);
     }
@@ -173,7 +172,7 @@ class Fitter {
     pull_.assign(cubics_.size(), 0);
     directions_.clear();
     for (const Cubic& cubic : cubics_) directions_.push_back({unit(cubic.p1 - cubic.p0), unit(cubic.p3 - cubic.p2)});
-    for (std::size_t i = 0; i < feet_.size(); ++i) add_point(i);
+    for (std::size_t i = 0; i < feet_.size(); i += stride_) add_point(i);
     for (std::size_t k = 0; k < local_.size(); ++k)
       for (int side = 0; side < 2; ++side) {
         const auto unknown = index(start_handle + side);
@@ -249,6 +248,7 @@ class Fitter {
   const Samples& samples_;
   const std::vector<double>& weights_;
   const RefineOptions& options_;
+  std::size_t stride_;  // of the points that are looked at
   int count_ = 0;
   std::vector<std::array<int, unknowns>> of_segment_;
   std::vector<Cubic> cubics_;
@@ -299,25 +299,6 @@ Cubic SmoothSpline::cubic(int segment) const {
   const auto from = index(segment), to = index(joint_after(segment));
   const Vec2 u{std::cos(angles[from]), std::sin(angles[from])}, v{std::cos(angles[to]), std::sin(angles[to])};
   return {joints[from], joints[from] + handles[from][0] * u, joints[to] - handles[from][1] * v, joints[to]};
-}
-
-Vec2 point_on(const Cubic& c, double t) {
-  const auto b = bernstein(t);
-  return b[0] * c.p0 + b[1] * c.p1 + b[2] * c.p2 + b[3] * c.p3;
-}
-
-Vec2 velocity_on(const Cubic& c, double t) {
-  const double s = 1 - t;
-  return 3 * (s * s * (c.p1 - c.p0) + 2 * s * t * (c.p2 - c.p1) + t * t * (c.p3 - c.p2));
-}
-
-Vec2 acceleration_on(const Cubic& c, double t) {
-  return 6 * ((1 - t) * (c.p2 - 2 * c.p1 + c.p0) + t * (c.p3 - 2 * c.p2 + c.p1));
-}
-
-Vec2 fast_unit(Vec2 a) {
-  const double squared = norm2(a);
-  return squared > 0 ? a / std::sqrt(squared) : a;
 }
 
 double approximate_length(const Cubic& c) {
