@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -298,6 +300,53 @@ TEST(MixedInteger, RefusesWhatHasNoMinimum) {
   EXPECT_EQ(code_of({2, {{0, 0, 1.0}}, {0, 0}, {}}), ErrorCode::numerics);
   EXPECT_EQ(code_of({1, {{0, 0, nan}}, {0}, {}}), ErrorCode::numerics);
   EXPECT_EQ(code_of({1, {{0, 0, 1.0}}, {nan}, {0}}), ErrorCode::numerics);
+}
+
+SparseLdl factor_of(const MatrixXd& a) {
+  const MixedIntegerProblem problem = problem_of(a, VectorXd::Zero(a.rows()), {});
+  const VectorXd diagonal = a.diagonal();
+  return SparseLdl(problem.size, problem.lower, {diagonal.data(), diagonal.data() + diagonal.size()});
+}
+
+TEST(SparseLdl, RemovedUnknownsLeaveTheRestOfTheSystem) {
+  std::mt19937 random(10);
+  const int size = 30;
+  const MatrixXd a = dense_matrix(random_problem(random, size, 0));
+  const VectorXd b = VectorXd::LinSpaced(size, -1, 2);
+  SparseLdl factor = factor_of(a);
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  while (!order.empty()) {
+    const VectorXd x = dense_vector(factor.solve({b.data(), b.data() + size}));
+    const VectorXd rest = MatrixXd(a(order, order)).llt().solve(VectorXd(b(order)));
+    VectorXd expected = VectorXd::Zero(size);
+    expected(order) = rest;
+    EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
+    factor.remove(order.back());
+    order.pop_back();
+  }
+}
+
+TEST(SparseLdl, ProductsOfHalfSolvedVectorsAreThoseOfTheInverse) {
+  std::mt19937 random(11);
+  const int size = 25;
+  const MatrixXd a = dense_matrix(random_problem(random, size, 0));
+  SparseLdl factor = factor_of(a);
+  std::uniform_int_distribution<int> pick(0, size - 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::array<VectorXd, 2> vectors = {VectorXd::Zero(size), VectorXd::Zero(size)};
+    std::array<VectorXd, 2> halves = vectors;
+    for (std::size_t k = 0; k < 2; ++k) {
+      SparseVector sparse;
+      for (int t = 0; t < 3; ++t) {
+        sparse.push_back({pick(random), 1.0 + t});
+        vectors[k][sparse.back().index] += 1.0 + t;
+      }
+      for (const SparseTerm& term : factor.half_solve(sparse, 0)) halves[k][term.index] += term.value;
+    }
+    EXPECT_NEAR(halves[0].dot(halves[1]), vectors[0].dot(a.llt().solve(vectors[1])), 1e-9);
+  }
 }
 
 }  // namespace
