@@ -177,12 +177,16 @@ void put_back(SplineFit& fit, const Stretch& stretch) {
   if (fit.spline.closed) fit.feet.back() = fit.feet.front();
 }
 
-// Refines; while that fails, cuts the stretch anew, ever finer.
+// Refines; while that fails, cuts the stretch anew, ever finer.  What nothing makes smooth (a line that turns back on itself) is
+// left as the finest cuts give it, close to the points.
 void mend(Stretch& stretch, const FitOptions& options) {
   const double first = stretch.fit.spline.angles.front(), last = stretch.fit.spline.angles.back();
   CutOptions cutting = cut_options(options);
-  for (int round = 0; !refine_within(stretch.fit, stretch.samples, options.tolerance, stretch.options) && round < kRecuts;
-       ++round) {
+  for (int round = 0; round <= kRecuts; ++round) {
+    const SplineFit unrefined = stretch.fit;
+    if (refine_within(stretch.fit, stretch.samples, options.tolerance, stretch.options)) return;
+    stretch.fit = unrefined;
+    if (round == kRecuts) return;
     cutting.limit *= kRecutFactor;
     cutting.shortest *= kRecutFactor;
     cutting.worth *= kRecutFactor;

@@ -217,6 +217,9 @@ std::vector<Corner> find_corners(const Samples& samples, double span) {
   const std::vector<int> places = corner_places(line);
   for (std::size_t i = 0; i < places.size(); ++i)
     corners.push_back(corner_at(samples, line, places[i], room_at(line, places, i), span));
+  // A crossing may lie beside the end of a short hook.
+  const double ends = samples.closed ? 0 : span / 4;
+  std::erase_if(corners, [&](const Corner& c) { return c.arc < ends || c.arc > samples.arc.back() - ends; });
   std::ranges::sort(corners, {}, &Corner::arc);
   const auto same = [&](const Corner& a, const Corner& b) { return b.arc - a.arc < span / 2; };
   corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());

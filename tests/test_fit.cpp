@@ -405,6 +405,25 @@ TEST(Fit, NoiseBeyondTheToleranceIsFollowedAllTheSame) {
   EXPECT_LE(reach(line, sampled(cubics)), 0.4);
 }
 
+TEST(Fit, JaggedLinesAreFollowedBothWays) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Line line{{100, 100}};
+    double angle = 0;
+    const double step = 1 + 3 * uniform(random), jag = 2 * uniform(random);
+    for (int i = 0; i < 80; ++i) {
+      angle += jag * (uniform(random) - 0.5);
+      line.push_back(line.back() + step * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    line.push_back(line[line.size() - 2]);  // a hook back over the last step
+    const Cubics cubics = fit_polyline(line, false, {1.2, 8});
+    expect_chain(cubics, line, false);
+    EXPECT_LE(distance_both_ways(cubics, line), 1.2 + 8 / 2.0);  // or a sharpened corner away
+  }
+}
+
 TEST(Fit, DegenerateInputsGiveFiniteCurves) {
   const Vec2 a{3, 4}, b{10, 4};
   const double nan = std::numeric_limits<double>::quiet_NaN();
