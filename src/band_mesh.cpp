@@ -13,6 +13,9 @@ namespace {
 // The lattice is turned by this angle (radians), so that no drawing is aligned with it.
 constexpr double kLatticeTurn = 0.2617 * std::numbers::sqrt2;
 
+// Slits of paper narrower than this times twice the reach are no holes of the band: each would cost a cut.
+constexpr double kFilledHole = 1.25;
+
 // A lattice point as multiples of the two lattice directions.
 struct LatticePoint {
   int i;
@@ -62,6 +65,7 @@ class Refinement {
                  coarsest = mask ? std::max(1.0, static_cast<double>(*high)) : 1;
     levels_ = static_cast<int>(std::ceil(std::log2(coarsest / finest) - 1e-9));
     // Circumdiameter of an equilateral triangle: 2 / sqrt(3) sides.
+    filled_ = closed_ink(ink, kFilledHole * options.reach * ink.stroke_width + 0.5);
     side_ = finest * options.mesh_size * ink.stroke_width * std::numbers::sqrt3 / 2;
     finest_ = finest;
   }
@@ -80,7 +84,7 @@ class Refinement {
 
   bool in_band(Vec2 p) const {
     if (p.x < 0 || p.y < 0 || p.x > ink_.width() || p.y > ink_.height()) return false;
-    if (nearest(ink_.mask, p, std::uint8_t{0})) return true;
+    if (nearest(filled_, p, std::uint8_t{0})) return true;
     return bilinear(ink_.gap, p) < options_.reach * ink_.stroke_width * mask_factor(mask_, p);
   }
 
@@ -194,6 +198,7 @@ class Refinement {
   }
 
   const Ink& ink_;
+  Raster<std::uint8_t> filled_;
   const ScaleMask* mask_;
   const BandOptions& options_;
   int levels_ = 0;

@@ -74,9 +74,16 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
   return std::nullopt;
 }
 
+// Goes on straight to the point, with a point a pixel.
 void append(Chain& chain, bool at_start, Vec2 point) {
-  if (point == chain.points[end_index(chain, at_start)]) return;
-  chain.points.insert(at_start ? chain.points.begin() : chain.points.end(), point);
+  const Vec2 tip = chain.points[end_index(chain, at_start)];
+  if (point == tip) return;
+  auto way = resampled({tip, point}, 1);
+  if (at_start) std::reverse(way.begin(), way.end());
+  if (at_start)
+    chain.points.insert(chain.points.begin(), way.begin(), way.end() - 1);
+  else
+    chain.points.insert(chain.points.end(), way.begin() + 1, way.end());
 }
 
 // Cuts every chain at the given points (index of point, junction there).

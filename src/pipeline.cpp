@@ -77,22 +77,24 @@ void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& re
   for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
 }
 
-// An isoline that goes on past a junction to the rim of the ink is half a stroke long, a stub that was drawn at least this much (strokes).
+// An isoline that goes on past a junction to the rim of the ink is half a stroke long, a stub that was drawn at least this much
+// (strokes).
 constexpr double kRawSpur = 0.85;
 // The same for ends that are half a stroke inside the ink.
 constexpr double kSpur = 0.35;
 
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, int bins) {
+Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double spacing, int bins) {
   const double width = ink.stroke_width;
-  const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * width};
+  const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width};
   const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
   const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
     Chains to{from.junctions, {}};
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  const Chains covered = merge_junctions(drop_spurs(drop_uncovered(chains, ink, bins), kRawSpur), width);
+  const Chains covered =
+      merge_junctions(drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), kRawSpur), width);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
   attached = merge_junctions(drop_spurs(drop_doubles(std::move(attached), 0.35 * width), kSpur), width);
   Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
@@ -140,8 +142,9 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
     return chain_strokes(stages.graph, stages.mesh, labels, stages.ink, {report.reach, options.coverage_bins});
   });
   const double width = stages.ink.stroke_width;
-  stages.chains =
-      run("refinement", 0.96, [&] { return refine_on_ink(stages.chains, stages.ink, report.reach, options.coverage_bins); });
+  stages.chains = run("refinement", 0.96, [&] {
+    return refine_on_ink(stages.chains, stages.ink, report.reach, report.spacing, options.coverage_bins);
+  });
   const FitOptions fit_options{options.tolerance.value_or(0.12) * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kWalkStep = 0.5;        // px, across the stroke
 constexpr double kOneSidedWeight = 0.3;  // of a point with paper on one side only
 constexpr double kWidest = 1.3;          // times the usual width: more is a junction or a corner
-constexpr double kAnchor = 1e-3;         // holds points that nothing is known of
+constexpr double kAnchor = 0.05;         // of the isoline itself, which is all that is known where sections tell nothing
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

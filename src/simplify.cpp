@@ -63,8 +63,8 @@ void collapse_links(Chains& chains, double link) {
 
 }  // namespace
 
-Chains drop_uncovered(Chains chains, const Ink& ink, int bins) {
-  const Ownership ownership = assign_ink(chains.chains, ink, 0);
+Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
+  const Ownership ownership = assign_ink(chains.chains, ink, reach);
   std::vector<int> histogram(chains.chains.size() * static_cast<std::size_t>(bins), 0);
   std::vector<std::vector<double>> lengths;
   for (const auto& c : chains.chains) lengths.push_back(lengths_along(c.points));
