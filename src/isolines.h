@@ -28,12 +28,12 @@ struct GraphNode {
 struct GraphEdge {
   int from = -1;
   int to = -1;
-  // At a grid node: 0 leaves along +u, 1 along +v, 2 along -u, 3 along -v, in the chart of the node's face, so p and (p + 2) % 4 are one
-  // isoline that goes straight on.  At other nodes: -1.
+  // At a grid node: 0 leaves along +u, 1 along +v, 2 along -u, 3 along -v, in the chart of the node's face, so p and (p + 2) % 4
+  // are one isoline that goes straight on.  At other nodes: -1.
   int from_port = -1;
   int to_port = -1;
-  std::vector<Vec2> path;           // from `from` to `to`, one point an edge crossed; path.size() == faces.size() + 1
-  std::vector<int> faces;           // the triangle that path[i] -> path[i + 1] crosses
+  std::vector<Vec2> path;            // from `from` to `to`, one point an edge crossed; path.size() == faces.size() + 1
+  std::vector<int> faces;            // the triangle that path[i] -> path[i + 1] crosses
   std::vector<std::uint8_t> family;  // per face: 0 where u is constant along the edge (in that face's chart), 1 where v is
 };
 
@@ -42,7 +42,8 @@ struct IsolineGraph {
   std::vector<GraphEdge> edges;
 };
 
-// All isolines of both families, also through folds of the map, where they cross several times (remove_folds).  `skipped`: components of the mesh to leave out (their map means nothing).
+// All isolines of both families, also through folds of the map, where they cross several times (remove_folds).  `skipped`:
+// components of the mesh to leave out (their map means nothing).
 IsolineGraph trace_isolines(const BandMesh& mesh, const ExactMap& map, const std::vector<int>& skipped_components);
 
 }  // namespace inkgrid
