@@ -222,6 +222,7 @@ class ComponentSolver {
     }
     if (error_) std::rethrow_exception(error_);
     if (control_.stop.stop_requested()) throw Error(ErrorCode::cancelled, "The run was cancelled while the grid map was solved.");
+    if (control_.progress) control_.progress("grid map", 1);
     std::vector<int> result;
     for (int c = 0; c < static_cast<int>(failed_.size()); ++c)
       if (failed_[at(c)]) result.push_back(c);

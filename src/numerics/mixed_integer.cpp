@@ -93,17 +93,11 @@ struct Reduced {
   double energy(const std::vector<double>& x) const { return (dot(gradient(x), x) - dot(h, x)) / 2 + constant; }
 };
 
-// A bond that is left out takes its share of the two diagonals along, so that moving both ends together still costs the same.
-void drop_negligible(std::vector<SparseVector>& rows, std::vector<double>& diagonal) {
-  const std::vector<double> before = diagonal;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto negligible = [&](const SparseTerm& term) {
-      return std::abs(term.value) < kNegligible * std::sqrt(before[i] * before[at(term.index)]);
-    };
-    for (const SparseTerm& term : rows[i])
-      if (negligible(term)) diagonal[i] -= std::abs(term.value);
-    std::erase_if(rows[i], negligible);
-  }
+void drop_negligible(std::vector<SparseVector>& rows, const std::vector<double>& diagonal) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    std::erase_if(rows[i], [&](const SparseTerm& term) {
+      return std::abs(term.value) < kNegligible * std::sqrt(diagonal[i] * diagonal[at(term.index)]);
+    });
 }
 
 // A sparse sum under construction; terms come out in ascending order.
