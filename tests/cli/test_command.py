@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import PROGRAM, SVG, CommandTest, cross, lattice, pgm, png
+from support import PROGRAM, SVG, CommandTest, blank, cross, lattice, paint_line, pgm, png
 
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 'auto', 'mesh-size': 0.25,
@@ -183,18 +183,25 @@ class Stages(CommandTest):
 
 
 class Mask(CommandTest):
-    def triangles(self, colour):
-        self.put('drawing.png', png(cross()))
-        self.put('mask.png', png([bytearray(colour * 160) for _ in range(120)], colour=True))
-        self.succeed('drawing.png', '--mask', 'mask.png', '--report', 'report.json')
-        return json.loads(self.read('report.json'))['triangles']
+    """Two strokes of 6 px become one component of the band when their gap is less than twice the reach."""
 
-    def test_orange_widens_the_band_and_purple_narrows_it(self):
-        self.put('drawing.png', png(cross()))
-        self.succeed('drawing.png', '--report', 'report.json')
-        plain = json.loads(self.read('report.json'))['triangles']
-        self.assertLess(self.triangles(bytes([160, 32, 240])), plain)
-        self.assertGreater(self.triangles(bytes([255, 150, 0])), plain)
+    def components(self, gap, colour=None):
+        rows = blank(160, 120)
+        for side in (-1, 1):
+            y = 60 + side * (3 + gap / 2)
+            paint_line(rows, (20, y), (140, y))
+        self.put('drawing.png', png(rows))
+        mask = ['--mask', self.put('mask.png', png([bytearray(colour * 160) for _ in range(120)], colour=True))] if colour else []
+        self.succeed('drawing.png', '--threshold', '128', '--reach', '0.3', '--spacing', '1', '--report', 'report.json', *mask)
+        return json.loads(self.read('report.json'))['components']
+
+    def test_orange_doubles_the_reach(self):
+        self.assertEqual(self.components(gap=6), 2)
+        self.assertEqual(self.components(gap=6, colour=bytes([255, 150, 0])), 1)
+
+    def test_purple_halves_the_reach(self):
+        self.assertEqual(self.components(gap=3), 1)
+        self.assertEqual(self.components(gap=3, colour=bytes([160, 32, 240])), 2)
 
 
 class Help(CommandTest):
