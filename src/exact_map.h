@@ -14,7 +14,7 @@ constexpr int kFixedBits = 20;
 constexpr std::int64_t kFixedOne = std::int64_t{1} << kFixedBits;  // one grid unit
 
 struct ExactMap {
-  std::vector<IVec2> uv;               // per corner, in units of 2^-20 grid units
+  std::vector<IVec2> uv;                // per corner, in units of 2^-20 grid units
   std::vector<Transition> transitions;  // per halfedge; shifts in grid units
 };
 
