@@ -84,8 +84,9 @@ class Refinement {
 
   bool in_band(Vec2 p) const {
     if (p.x < 0 || p.y < 0 || p.x > ink_.width() || p.y > ink_.height()) return false;
-    if (nearest(filled_, p, std::uint8_t{0})) return true;
-    return bilinear(ink_.gap, p) < options_.reach * ink_.stroke_width * mask_factor(mask_, p);
+    const double reach = options_.reach * ink_.stroke_width * mask_factor(mask_, p), gap = bilinear(ink_.gap, p);
+    if (gap < reach || nearest(ink_.mask, p, std::uint8_t{0})) return true;
+    return nearest(filled_, p, std::uint8_t{0}) && gap < kFilledHole * reach + 0.5;
   }
 
  private:

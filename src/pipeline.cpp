@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 
 #include "ends.h"
+#include "folds.h"
 #include "junctions.h"
+#include "options.h"
+#include "preset.h"
 #include "simplify.h"
 
 namespace inkgrid {
@@ -31,14 +35,13 @@ class Stopwatch {
   Report& report_;
 };
 
-// What the presets stand for: section 5 for the reach, section 6.2 for the spacing.
-struct PresetValues {
-  double reach;
-  double spacing;
-};
-
-PresetValues preset_values(Preset preset) {
-  return preset == Preset::rough ? PresetValues{0.8, 3} : PresetValues{0.3, 1};
+void validate_input(const Image& image, const ScaleMask* mask) {
+  const auto size = static_cast<std::size_t>(std::max(0, image.width)) * static_cast<std::size_t>(std::max(0, image.height));
+  if (size == 0 || image.grey.size() != size) throw Error(ErrorCode::usage, "the image is empty, or its pixels do not fill it");
+  if (mask && (mask->width != image.width || mask->height != image.height))
+    throw Error(ErrorCode::usage, "the mask is " + std::to_string(mask->width) + " x " + std::to_string(mask->height) +
+                                      " pixels, but the drawing is " + std::to_string(image.width) + " x " +
+                                      std::to_string(image.height));
 }
 
 void report_ink(const Ink& ink, Report& report) {
@@ -104,6 +107,8 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
 }  // namespace
 
 Stages run_stages(const Image& image, const Options& options, const Control& control) {
+  validate(options);
+  validate_input(image, control.mask);
   Stages stages;
   Report& report = stages.report;
   Stopwatch run(control, report);
@@ -117,7 +122,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
     report.warnings.push_back("the drawing holds no ink: the result is empty");
     return stages;
   }
-  const Preset preset = options.preset == Preset::automatic ? Preset::clean : options.preset;
+  const Preset preset = choose_preset(options.preset, stages.ink);
   report.preset = preset == Preset::rough ? "rough" : "clean";
   report.reach = options.reach.value_or(preset_values(preset).reach);
   report.spacing = options.spacing.value_or(preset_values(preset).spacing);
@@ -136,7 +141,9 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
                    [&] { return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, control); });
   report_map(stages.field, stages.charts, stages.map, report);
   stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
-  stages.graph = run("isolines", 0.92, [&] { return trace_isolines(stages.mesh, stages.exact, stages.map.failed_components); });
+  stages.graph = run("isolines", 0.92, [&] {
+    return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
+  });
   stages.chains = run("chains", 0.95, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
     return chain_strokes(stages.graph, stages.mesh, labels, stages.ink, {report.reach, options.coverage_bins});
