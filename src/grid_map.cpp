@@ -216,7 +216,9 @@ class ComponentSolver {
   std::vector<int> run() {
     {
       std::vector<std::jthread> helpers;
-      const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+      const int asked = setup_.options.threads;
+      const std::size_t processors =
+          asked > 0 ? static_cast<std::size_t>(asked) : std::max(1U, std::thread::hardware_concurrency());
       while (helpers.size() + 1 < std::min(processors, order_.size())) helpers.emplace_back([this] { work(nullptr); });
       work(control_.progress);
     }

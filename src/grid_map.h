@@ -18,22 +18,23 @@ struct GridMapOptions {
   double snap_sigma = 0.1;        // sigma
   double damping = 1e-4;          // epsilon
   double merge_difference = 0.5;  // grid units, of the local estimates
+  int threads = 0;                // 0: as many as the machine has
 };
 
 // A corner is 3 f + k, the corner of face f at faces[f][k]; it belongs to halfedge 3 f + k, which starts there.
 // Each corner is  uv = i^corner_turn * base[corner_base] + corner_shift  (all of these hold the transitions by construction).
 struct GridMap {
-  std::vector<Vec2> base;              // real coordinates, one for each vertex of the mesh
-  std::vector<int> corner_base;        // per corner: index into base (the vertex of the corner)
+  std::vector<Vec2> base;        // real coordinates, one for each vertex of the mesh
+  std::vector<int> corner_base;  // per corner: index into base (the vertex of the corner)
   std::vector<std::uint8_t> corner_turn;
-  std::vector<IVec2> corner_shift;     // grid units
-  std::vector<Transition> transitions;  // per halfedge, towards the twin's face; identity off the cuts and on the boundary
+  std::vector<IVec2> corner_shift;         // grid units
+  std::vector<Transition> transitions;     // per halfedge, towards the twin's face; identity off the cuts and on the boundary
   std::vector<std::uint8_t> half_integer;  // per vertex: 1 where the base is exactly a multiple of 1/2 (singular vertices)
   int cut_integers = 0;
   int snapping_integers = 0;
-  int cuts = 0;  // cut paths
-  double alignment_energy = 0;  // equation (2)
-  double snapping_energy = 0;   // equation (3), without mu
+  int cuts = 0;                        // cut paths
+  double alignment_energy = 0;         // equation (2)
+  double snapping_energy = 0;          // equation (3), without mu
   std::vector<int> failed_components;  // of the mesh: their solve failed, their coordinates mean nothing
 
   Vec2 uv(int corner) const {

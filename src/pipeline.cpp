@@ -8,6 +8,7 @@
 #include "ends.h"
 #include "folds.h"
 #include "junctions.h"
+#include "leftovers.h"
 #include "options.h"
 #include "preset.h"
 #include "simplify.h"
@@ -34,6 +35,16 @@ class Stopwatch {
   const Control& control_;
   Report& report_;
 };
+
+// A control whose progress fills the stretch between two fractions of the whole.
+Control part_of(const Control& control, double from, double to) {
+  Control part = control;
+  if (control.progress)
+    part.progress = [&control, from, to](const char* stage, double fraction) {
+      control.progress(stage, from + fraction * (to - from));
+    };
+  return part;
+}
 
 void validate_input(const Image& image, const ScaleMask* mask) {
   const auto size = static_cast<std::size_t>(std::max(0, image.width)) * static_cast<std::size_t>(std::max(0, image.height));
@@ -71,6 +82,18 @@ void report_map(const FrameField& field, const Charts& charts, const GridMap& ma
   report.alignment_energy = map.alignment_energy;
   report.snapping_energy = map.snapping_energy;
   report.fallback_components = static_cast<int>(map.failed_components.size());
+}
+
+void report_leftovers(const Leftovers& leftovers, const GridMap& map, Report& report) {
+  const auto sentence = [](int count, const char* what, const char* fate) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s") + fate;
+  };
+  if (!map.failed_components.empty())
+    report.warnings.push_back(
+        sentence(static_cast<int>(map.failed_components.size()), "part", " of the drawing could not be solved"));
+  if (leftovers.dashes > 0)
+    report.warnings.push_back(
+        sentence(leftovers.dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
 }
 
 void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& report) {
@@ -136,9 +159,11 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   stages.labels = run("labels", 0.52, [&] {
     return label_strokes(stages.mesh, stages.charts, stages.ink, {options.label_length, options.label_ratio});
   });
-  const GridMapOptions map_options{report.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference};
-  stages.map = run("grid map", 0.6,
-                   [&] { return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, control); });
+  const GridMapOptions map_options{report.spacing,           options.snap,   options.snap_sigma, options.damping,
+                                   options.merge_difference, options.threads};
+  stages.map = run("grid map", 0.6, [&] {
+    return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, part_of(control, 0.6, 0.9));
+  });
   report_map(stages.field, stages.charts, stages.map, report);
   stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
   stages.graph = run("isolines", 0.92, [&] {
@@ -152,6 +177,9 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   stages.chains = run("refinement", 0.96, [&] {
     return refine_on_ink(stages.chains, stages.ink, report.reach, report.spacing, options.coverage_bins);
   });
+  Leftovers leftovers = mark_leftovers(std::move(stages.chains), stages.ink, std::max(1.0, report.reach * width));
+  stages.chains = std::move(leftovers.chains);
+  report_leftovers(leftovers, stages.map, report);
   const FitOptions fit_options{options.tolerance.value_or(0.12) * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
