@@ -25,13 +25,15 @@ inline void paint(Image& image, const std::vector<Vec2>& line, double width, dou
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec2 a = line[i], b = line[i + 1];
     const double r = width / 2 + 1;
-    const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - r)), x1 = std::min(image.width - 1, static_cast<int>(std::max(a.x, b.x) + r));
-    const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - r)), y1 = std::min(image.height - 1, static_cast<int>(std::max(a.y, b.y) + r));
+    const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - r)),
+              x1 = std::min(image.width - 1, static_cast<int>(std::max(a.x, b.x) + r));
+    const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - r)),
+              y1 = std::min(image.height - 1, static_cast<int>(std::max(a.y, b.y) + r));
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const double cover = std::clamp(width / 2 + 0.5 - distance_to_segment({x + 0.5, y + 0.5}, a, b), 0.0, 1.0);
         auto& g = image.grey[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
-        g = static_cast<std::uint8_t>(std::min<double>(g, std::lround(255 - (255 - grey) * cover)));
+        g = static_cast<std::uint8_t>(std::min(static_cast<double>(g), std::round(255 - (255 - grey) * cover)));
       }
   }
 }
@@ -45,6 +47,8 @@ inline std::vector<Vec2> arc(Vec2 centre, double radius, double from, double to,
   return line;
 }
 
-inline std::vector<Vec2> circle(Vec2 centre, double radius) { return arc(centre, radius, 0, 2 * std::numbers::pi); }
+inline std::vector<Vec2> circle(Vec2 centre, double radius) {
+  return arc(centre, radius, 0, 2 * std::numbers::pi);
+}
 
 }  // namespace inkgrid::testing
