@@ -109,6 +109,10 @@ constexpr double kRawSpur = 0.85;
 // The same for ends that are half a stroke inside the ink.
 constexpr double kSpur = 0.35;
 
+// Junctions nearer than this are one; further apart only where the chain between them lies inside a blot (strokes).
+constexpr double kLink = 0.8;
+constexpr double kBareLink = 2;
+
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
 Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double spacing, int bins) {
   const double width = ink.stroke_width;
@@ -119,10 +123,11 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  const Chains covered =
-      merge_junctions(drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), kRawSpur), width);
+  Chains covered = drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), kRawSpur);
+  covered = merge_junctions(std::move(covered), kLink * width, kLink * width);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
-  attached = merge_junctions(drop_spurs(drop_doubles(std::move(attached), 0.35 * width), kSpur), width);
+  attached = drop_spurs(drop_doubles(std::move(attached), 0.35 * width), kSpur);
+  attached = merge_junctions(std::move(attached), kLink * width, kBareLink * width);
   Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
   return drop_spurs(reach_ends(std::move(located), ink, ends), kSpur);
 }

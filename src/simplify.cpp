@@ -33,16 +33,45 @@ std::vector<int> degrees(const Chains& chains) {
   return degree;
 }
 
-void collapse_links(Chains& chains, double link) {
+// Unites junctions over short chains, the shortest first, while a group stays small.
+UnionFind linked_junctions(const Chains& chains, const std::vector<int>& links, double widest) {
   UnionFind groups(static_cast<int>(chains.junctions.size()));
-  const auto is_link = [&](const Chain& c) {
-    if (c.start_junction < 0 || c.end_junction < 0) return false;
-    const double length = length_of(c);
-    return length < link || (length < 2.5 * link && c.confirmed < 0.25 * link);
-  };
-  for (const auto& c : chains.chains)
-    if (is_link(c)) groups.unite(c.start_junction, c.end_junction);
-  std::erase_if(chains.chains, is_link);
+  std::vector<std::pair<Vec2, Vec2>> extent;
+  for (const Vec2 p : chains.junctions) extent.emplace_back(p, p);
+  for (const int i : links) {
+    const auto& c = chains.chains[static_cast<std::size_t>(i)];
+    const auto a = static_cast<std::size_t>(groups.find(c.start_junction)),
+               b = static_cast<std::size_t>(groups.find(c.end_junction));
+    const Vec2 low{std::min(extent[a].first.x, extent[b].first.x), std::min(extent[a].first.y, extent[b].first.y)};
+    const Vec2 high{std::max(extent[a].second.x, extent[b].second.x), std::max(extent[a].second.y, extent[b].second.y)};
+    if (norm(high - low) > widest) continue;
+    extent[a] = extent[b] = {low, high};
+    groups.unite(c.start_junction, c.end_junction);
+  }
+  return groups;
+}
+
+void collapse_links(Chains& chains, double link, double bare_link) {
+  std::vector<int> links;
+  std::vector<double> length;
+  for (int i = 0; i < static_cast<int>(chains.chains.size()); ++i) {
+    const auto& c = chains.chains[static_cast<std::size_t>(i)];
+    length.push_back(length_of(c));
+    if (c.start_junction < 0 || c.end_junction < 0) continue;
+    if (length.back() < link || (length.back() < bare_link && c.confirmed < 0.25 * link)) links.push_back(i);
+  }
+  std::stable_sort(links.begin(), links.end(),
+                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
+  UnionFind groups = linked_junctions(chains, links, 1.5 * std::max(link, bare_link));
+  std::vector<std::uint8_t> gone(chains.chains.size(), 0);
+  for (const int i : links) {
+    const auto& c = chains.chains[static_cast<std::size_t>(i)];
+    gone[static_cast<std::size_t>(i)] = groups.find(c.start_junction) == groups.find(c.end_junction);
+  }
+  std::vector<Chain> kept;
+  for (std::size_t i = 0; i < chains.chains.size(); ++i)
+    if (!gone[i]) kept.push_back(std::move(chains.chains[i]));
+  chains.chains = std::move(kept);
   std::vector<Vec2> sum(chains.junctions.size());
   std::vector<int> count(chains.junctions.size(), 0);
   for (int j = 0; j < static_cast<int>(chains.junctions.size()); ++j) {
@@ -183,8 +212,8 @@ Chains drop_spurs(Chains chains, double share) {
   return kept_chains(std::move(chains), alive);
 }
 
-Chains merge_junctions(Chains chains, double link) {
-  collapse_links(chains, link);
+Chains merge_junctions(Chains chains, double link, double bare_link) {
+  collapse_links(chains, link, bare_link);
   return dissolve_junctions(std::move(chains));
 }
 

@@ -7,8 +7,8 @@
 
 namespace inkgrid {
 
-// Section 6.3: each stroke pixel counts for its nearest chain, in a histogram over the chain's parameter; a chain with an empty bin is
-// dropped.  `reach` (px) is how far a chain may be from the ink that it stands for.
+// Section 6.3: each stroke pixel counts for its nearest chain, in a histogram over the chain's parameter; a chain with an empty
+// bin is dropped.  `reach` (px) is how far a chain may be from the ink that it stands for.
 Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach);
 
 // Chains that run within `distance` px of others all along (but for a seventh of their length), the shorter ones first, are
@@ -19,8 +19,9 @@ Chains drop_doubles(Chains chains, double distance);
 // chains, are dropped: their ink is that of the others.
 Chains drop_spurs(Chains chains, double share);
 
-// Junctions linked by chains shorter than `link` px, or shorter than 2.5 times that and nowhere bounded by paper on both sides,
-// become one; junctions that are none any more are dissolved.
-Chains merge_junctions(Chains chains, double link);
+// Junctions linked by chains shorter than `link` px become one, and so do those linked by chains shorter than `bare_link` px that
+// paper nowhere bounds on both sides (Chain::confirmed); no junction comes of others further apart than 1.5 of the longer of
+// these.  Junctions that are none any more are dissolved.
+Chains merge_junctions(Chains chains, double link, double bare_link);
 
 }  // namespace inkgrid
