@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "chain_checks.h"
+#include "simplify.h"
+
+namespace inkgrid {
+namespace {
+
+using testing::blank;
+using testing::chain_along;
+using testing::expect_consistent;
+using testing::ink_of;
+using testing::paint;
+
+constexpr double kWidth = 6;
+constexpr double kDoubled = 0.35 * kWidth;
+constexpr double kSpur = 0.35;
+
+double length_of(const Chain& chain) {
+  return lengths_along(chain.points).back();
+}
+
+// Two halves of a line that meet at a junction, with a branch of this length square to them.
+Chains line_with_branch(double branch) {
+  return {{{100, 100}},
+          {chain_along({{20, 100}, {100, 100}}, kWidth, -1, 0), chain_along({{100, 100}, {180, 100}}, kWidth, 0, -1),
+           chain_along({{100, 100}, {100, 100 - branch}}, kWidth, 0, -1)}};
+}
+
+// Two junctions, `gap` apart, with two outer branches each.
+Chains ladder(double gap, double confirmed) {
+  const Vec2 a{100 - gap / 2, 100}, b{100 + gap / 2, 100};
+  Chains chains{
+      {a, b},
+      {chain_along({{20, 40}, a}, kWidth, -1, 0), chain_along({a, {20, 160}}, kWidth, 0, -1), chain_along({a, b}, kWidth, 0, 1),
+       chain_along({{180, 40}, b}, kWidth, -1, 1), chain_along({b, {180, 160}}, kWidth, 1, -1)}};
+  chains.chains[2].confirmed = confirmed;
+  return chains;
+}
+
+TEST(Simplify, OfTwoDoublesTheLongerStays) {
+  for (const bool longer_first : {true, false}) {
+    Chains chains{{}, {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{160, 51.5}, {40, 51.5}}, kWidth)}};
+    if (!longer_first) std::swap(chains.chains[0], chains.chains[1]);
+    const Chains kept = drop_doubles(chains, kDoubled);
+    ASSERT_EQ(kept.chains.size(), 1u);
+    EXPECT_NEAR(length_of(kept.chains[0]), 160, 1e-9);
+    EXPECT_NEAR(kept.chains[0].points.front().y, 50, 1e-12);
+  }
+}
+
+TEST(Simplify, NeighboursThatAreNoDoublesStay) {
+  // Farther away; across; close to each other for half of their length only.
+  const Chains chains{{},
+                      {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{40, 53}, {160, 53}}, kWidth),
+                       chain_along({{100, 49}, {100, 51}}, kWidth), chain_along({{170, 50.5}, {240, 120}}, kWidth)}};
+  EXPECT_EQ(drop_doubles(chains, kDoubled).chains.size(), 4u);
+}
+
+TEST(Simplify, TwinsDoNotDropEachOther) {
+  const Chains chains{{}, {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{20, 51}, {180, 51}}, kWidth)}};
+  EXPECT_EQ(drop_doubles(chains, kDoubled).chains.size(), 1u);
+}
+
+TEST(Simplify, ShortSpursGoAndTheLineIsWholeAgain) {
+  const Chains kept = drop_spurs(line_with_branch(0.2 * kWidth), kSpur);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_TRUE(kept.junctions.empty());
+  EXPECT_NEAR(length_of(kept.chains[0]), 160, 1e-9);
+  EXPECT_EQ(kept.chains[0].start_junction, -1);
+  EXPECT_EQ(kept.chains[0].end_junction, -1);
+}
+
+TEST(Simplify, BranchesThatWereDrawnStay) {
+  const Chains kept = drop_spurs(line_with_branch(2 * kWidth), kSpur);
+  EXPECT_EQ(kept.chains.size(), 3u);
+  ASSERT_EQ(kept.junctions.size(), 1u);
+  expect_consistent(kept);
+}
+
+TEST(Simplify, AShortFreeChainIsNoSpur) {
+  const Chains chains{{}, {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{90, 51}, {92, 51}}, kWidth)}};
+  EXPECT_EQ(drop_spurs(chains, kSpur).chains.size(), 2u);
+}
+
+TEST(Simplify, JunctionsOfOneCrossingBecomeOne) {
+  const Chains merged = merge_junctions(ladder(4, 0), kWidth);
+  EXPECT_EQ(merged.chains.size(), 4u);
+  ASSERT_EQ(merged.junctions.size(), 1u);
+  EXPECT_NEAR(norm(merged.junctions[0] - Vec2{100, 100}), 0, 1e-9);
+  expect_consistent(merged);
+}
+
+TEST(Simplify, LongerLinksCountOnlyWithPaperBesideThem) {
+  EXPECT_EQ(merge_junctions(ladder(12, 0), kWidth).junctions.size(), 1u);
+  const Chains apart = merge_junctions(ladder(12, 8), kWidth);
+  EXPECT_EQ(apart.junctions.size(), 2u);
+  EXPECT_EQ(apart.chains.size(), 5u);
+  expect_consistent(apart);
+  EXPECT_EQ(merge_junctions(ladder(16, 0), kWidth).junctions.size(), 2u);
+}
+
+TEST(Simplify, LinksInARowBecomeOneJunction) {
+  Chains chains = ladder(4, 0);
+  chains.junctions.push_back({106, 100});
+  chains.chains.push_back(chain_along({{102, 100}, {106, 100}}, kWidth, 1, 2));
+  chains.chains.push_back(chain_along({{106, 100}, {180, 90}}, kWidth, 2, -1));
+  chains.chains.push_back(chain_along({{106, 100}, {180, 110}}, kWidth, 2, -1));
+  const Chains merged = merge_junctions(chains, kWidth);
+  EXPECT_EQ(merged.chains.size(), 6u);
+  ASSERT_EQ(merged.junctions.size(), 1u);
+  EXPECT_NEAR(norm(merged.junctions[0] - Vec2{102, 100}), 0, 1e-9);
+  expect_consistent(merged);
+}
+
+TEST(Simplify, AChainWithAQuarterOffTheInkIsDropped) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 30}, {180, 30}}, kWidth);
+  paint(image, {{20, 70}, {125, 70}}, kWidth);
+  const Chains chains{{}, {chain_along({{20, 30}, {180, 30}}, kWidth), chain_along({{20, 70}, {180, 70}}, kWidth)}};
+  const Chains kept = drop_uncovered(chains, ink_of(image), 4, 2);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_EQ(kept.chains[0].points.front().y, 30);
+}
+
+TEST(Simplify, AChainBesideANearerOneHasNoInk) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {180, 50}}, kWidth);
+  const Chains chains{{}, {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{20, 57}, {180, 57}}, kWidth)}};
+  const Chains kept = drop_uncovered(chains, ink_of(image), 4, 5);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_EQ(kept.chains[0].points.front().y, 50);
+}
+
+TEST(Simplify, DroppingAnUncoveredBranchDissolvesItsJunction) {
+  Image image = blank(200, 200);
+  paint(image, {{20, 100}, {180, 100}}, kWidth);
+  const Chains kept = drop_uncovered(line_with_branch(40), ink_of(image), 4, 2);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_TRUE(kept.junctions.empty());
+  EXPECT_NEAR(length_of(kept.chains[0]), 160, 1e-9);
+}
+
+}  // namespace
+}  // namespace inkgrid
