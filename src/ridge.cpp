@@ -10,6 +10,7 @@ namespace inkgrid {
 namespace {
 
 constexpr double kWalkStep = 0.5;        // px, across the stroke
+constexpr double kRim = 1;               // px, of the antialiased rim outside the mask
 constexpr double kOneSidedWeight = 0.3;  // of a point with paper on one side only
 constexpr double kWidest = 1.3;          // times the usual width: more is a junction or a corner
 constexpr double kAnchor = 0.05;         // of the isoline itself, which is all that is known where sections tell nothing
@@ -65,9 +66,17 @@ class SectionReader {
         side.mass += dark;
         side.moment += dark * t;
         side.extent = last;
-      } else if (t - last > options_.bridge || owner < 0) {
+        continue;
+      }
+      if (t - last > options_.bridge || owner < 0) {
         side.paper = true;
         return side;
+      }
+      // The rim's pixels that are more paper than ink still say where it is.
+      if (t - last <= kRim) {
+        const double dark = bilinear(ink_.darkness, q);
+        side.mass += dark;
+        side.moment += dark * t;
       }
     }
     return side;

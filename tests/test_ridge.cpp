@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "chain_checks.h"
+#include "ridge.h"
+
+namespace inkgrid {
+namespace {
+
+using std::numbers::pi;
+using testing::blank;
+using testing::chain_along;
+using testing::distance_to_line;
+using testing::ink_of;
+using testing::paint;
+
+constexpr double kWidth = 6;
+constexpr RidgeOptions kOptions{1, 1.8, 3};
+
+using Line = std::vector<Vec2>;
+
+// The segment, displaced to its side by `mean` and a wave of amplitude `wave`, px.
+Line beside(Vec2 a, Vec2 b, double mean, double wave) {
+  const double length = norm(b - a);
+  const Vec2 normal = quarter_turn(unit(b - a));
+  Line line;
+  for (double s = 0; s <= length; s += 1) line.push_back(lerp(a, b, s / length) + (mean + wave * std::sin(s / 9)) * normal);
+  return line;
+}
+
+// Root of the mean squared distance; `margin` px at both ends of the points are left out.
+double rms(const Line& points, const Line& truth, double margin) {
+  const auto lengths = lengths_along(points);
+  double sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (lengths[k] < margin || lengths.back() - lengths[k] < margin) continue;
+    const double d = distance_to_line(points[k], truth);
+    sum += d * d;
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+TEST(Ridge, ComesBackToTheMiddleOfAStraightStroke) {
+  for (const double turn : {0.0, 0.2, 0.7, pi / 2, 2.3}) {
+    const Vec2 direction{std::cos(turn), std::sin(turn)};
+    const Vec2 a = Vec2{100.3, 100.6} - 70.0 * direction, b = Vec2{100.3, 100.6} + 70.0 * direction;
+    Image image = blank(200, 200);
+    paint(image, {a, b}, kWidth);
+    for (const double mean : {-0.3 * kWidth, 0.0, 0.3 * kWidth}) {
+      const double wave = mean == 0 ? 0.3 * kWidth : 0;
+      const auto ridges = follow_ridges({chain_along(beside(a, b, mean, wave), kWidth)}, ink_of(image), kOptions);
+      ASSERT_EQ(ridges.size(), 1u);
+      EXPECT_LT(rms(ridges[0].chain.points, {a, b}, kWidth), 0.15) << turn << " " << mean;
+    }
+  }
+}
+
+TEST(Ridge, ComesBackToTheMiddleOfACircleAndStaysClosed) {
+  const Vec2 centre{100.2, 99.7};
+  Image image = blank(200, 200);
+  paint(image, testing::circle(centre, 60), kWidth);
+  for (const double radius : {60 - 0.3 * kWidth, 60 + 0.3 * kWidth}) {
+    Chain chain = chain_along(testing::circle(centre, radius), kWidth);
+    chain.points.back() = chain.points.front();
+    chain.closed = true;
+    const auto ridges = follow_ridges({chain}, ink_of(image), kOptions);
+    ASSERT_TRUE(ridges[0].chain.closed);
+    EXPECT_TRUE(ridges[0].chain.points.front() == ridges[0].chain.points.back());
+    double sum = 0;
+    for (const Vec2 p : ridges[0].chain.points) sum += (norm(p - centre) - 60) * (norm(p - centre) - 60);
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(ridges[0].chain.points.size())), 0.15);
+  }
+}
+
+TEST(Ridge, MeasuresTheWidthAndTheConfirmedLength) {
+  for (const double width : {3.0, 6.0, 9.0}) {
+    Image image = blank(200, 100);
+    paint(image, {{20, 50.5}, {180, 50.5}}, width);
+    const auto ridges = follow_ridges({chain_along({{20, 50}, {180, 50}}, width)}, ink_of(image), kOptions);
+    EXPECT_NEAR(ridges[0].chain.width, width, 1);
+    EXPECT_NEAR(ridges[0].chain.confirmed, 160, 2 * width);
+    EXPECT_EQ(ridges[0].sections.size(), ridges[0].chain.points.size());
+  }
+}
+
+TEST(Ridge, NothingIsConfirmedOffTheInk) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 20}, {180, 20}}, kWidth);
+  const auto ridges = follow_ridges({chain_along({{20, 80}, {180, 80}}, kWidth)}, ink_of(image), kOptions);
+  EXPECT_EQ(ridges[0].chain.confirmed, 0);
+  for (const Vec2 p : ridges[0].chain.points) EXPECT_NEAR(p.y, 80, 1e-9);
+}
+
+TEST(Ridge, StrokesThatTouchSideBySideDoNotMerge) {
+  const Line straight{{20, 60}, {240, 60}}, bowed{{20, 90}, {70, 66}, {190, 66}, {240, 90}};
+  Image image = blank(260, 120);
+  paint(image, straight, kWidth);
+  paint(image, bowed, kWidth);
+  const auto ridges = follow_ridges(
+      {chain_along(beside({20, 60}, {240, 60}, 0.8, 0), kWidth), chain_along({{20, 88}, {70, 65}, {190, 65}, {240, 88}}, kWidth)},
+      ink_of(image), kOptions);
+  const auto middle_is_near = [](const Line& points, double y) {
+    for (const Vec2 p : points)
+      if (p.x > 85 && p.x < 175) {
+        EXPECT_NEAR(p.y, y, 0.5) << p.x;
+      }
+  };
+  middle_is_near(ridges[0].chain.points, 60);
+  middle_is_near(ridges[1].chain.points, 66);
+}
+
+TEST(Ridge, ACrossingDoesNotPullTheLineAside) {
+  Image image = blank(200, 200);
+  paint(image, {{20, 100}, {180, 100}}, kWidth);
+  paint(image, {{60, 20}, {140, 180}}, kWidth);
+  const auto ridges = follow_ridges({chain_along({{20, 101}, {180, 101}}, kWidth), chain_along({{61, 20}, {141, 180}}, kWidth)},
+                                    ink_of(image), kOptions);
+  EXPECT_LT(rms(ridges[0].chain.points, {{20, 100}, {180, 100}}, kWidth), 0.15);
+  EXPECT_LT(rms(ridges[1].chain.points, {{60, 20}, {140, 180}}, kWidth), 0.15);
+}
+
+}  // namespace
+}  // namespace inkgrid
