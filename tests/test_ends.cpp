@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "chain_checks.h"
+#include "ends.h"
+#include "junctions.h"
+
+namespace inkgrid {
+namespace {
+
+using std::numbers::pi;
+using testing::blank;
+using testing::chain_along;
+using testing::expect_consistent;
+using testing::ink_of;
+using testing::paint;
+
+constexpr double kWidth = 6;
+constexpr RidgeOptions kRidge{1, 1.8, 3};
+constexpr EndOptions kEnds{1.5 * kWidth, 1};
+
+double length_of(const Chain& chain) {
+  return lengths_along(chain.points).back();
+}
+
+Vec2 towards(double degrees) {
+  return {std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};
+}
+
+// Paints a star of strokes, 70 px long, at these angles; traces it a pixel beside its lines with the junction 3 px off, and
+// locates that.
+Chains located_star(Vec2 centre, const std::vector<double>& degrees) {
+  Image image = blank(200, 200);
+  const Vec2 guess = centre + Vec2{2, -2};
+  std::vector<Chain> chains;
+  for (const double angle : degrees) {
+    const Vec2 tip = centre + 70.0 * towards(angle);
+    paint(image, {centre, tip}, kWidth);
+    chains.push_back(chain_along({guess, tip + quarter_turn(towards(angle))}, kWidth, 0, -1));
+    if (chains.size() % 2 == 0) {
+      std::reverse(chains.back().points.begin(), chains.back().points.end());
+      std::swap(chains.back().start_junction, chains.back().end_junction);
+    }
+  }
+  return locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, 1.5 * kWidth);
+}
+
+void expect_located(const std::vector<double>& degrees, double tolerance) {
+  for (const Vec2 centre : {Vec2{100, 100}, Vec2{100.4, 99.3}}) {
+    const Chains chains = located_star(centre, degrees);
+    ASSERT_EQ(chains.junctions.size(), 1u);
+    ASSERT_EQ(chains.chains.size(), degrees.size());
+    EXPECT_LT(norm(chains.junctions[0] - centre), tolerance) << centre.x;
+    expect_consistent(chains);
+  }
+}
+
+TEST(Junctions, TeesAreWhereTheStrokesMeet) {
+  expect_located({0, 90, 180}, 0.3);
+}
+
+TEST(Junctions, EvenForksAreWhereTheStrokesMeet) {
+  expect_located({30, 150, 270}, 0.3);
+}
+
+TEST(Junctions, NoneMovesFartherThanAllowed) {
+  Image image = blank(200, 200);
+  std::vector<Chain> chains;
+  const Vec2 centre{100, 100}, guess{108, 100};
+  for (const double angle : {90.0, 180.0, 270.0}) {
+    paint(image, {centre, centre + 70.0 * towards(angle)}, kWidth);
+    chains.push_back(chain_along({guess, centre + 70.0 * towards(angle)}, kWidth, 0, -1));
+  }
+  const Chains held = locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, 0.5);
+  EXPECT_LE(norm(held.junctions[0] - guess), 0.5 + 1e-9);
+  expect_consistent(held);
+}
+
+TEST(Ends, FreeEndsReachTheEndOfTheirInk) {
+  for (const double degrees : {0.0, 45.0, 90.0}) {
+    const Vec2 axis = towards(degrees), a = Vec2{100.3, 100.8} - 60.0 * axis, b = Vec2{100.3, 100.8} + 60.0 * axis;
+    Image image = blank(200, 200);
+    paint(image, {a, b}, kWidth);
+    const Ink ink = ink_of(image);
+    for (const double excess : {-8.0, -3.0, 0.0, 2.0, 5.0}) {
+      const Chains reached = reach_ends({{}, {chain_along({a - excess * axis, b + excess * axis}, kWidth)}}, ink, kEnds);
+      ASSERT_EQ(reached.chains.size(), 1u);
+      EXPECT_LT(norm(reached.chains[0].points.front() - a), 0.6) << degrees << " " << excess;
+      EXPECT_LT(norm(reached.chains[0].points.back() - b), 0.6) << degrees << " " << excess;
+      EXPECT_NEAR(length_of(reached.chains[0]), 120, 1.2) << degrees << " " << excess;
+    }
+  }
+}
+
+TEST(Ends, EndsAtJunctionsAndClosedChainsAreLeftAlone) {
+  Image image = blank(200, 200);
+  paint(image, {{20, 100}, {180, 100}}, kWidth);
+  Chain loop = chain_along(testing::circle({100, 100}, 20), kWidth);
+  loop.points.back() = loop.points.front();
+  loop.closed = true;
+  const Chains before{{{60, 100}}, {chain_along({{60, 100}, {20, 100}}, kWidth, 0, -1), loop}};
+  const Chains after = reach_ends(before, ink_of(image), kEnds);
+  EXPECT_TRUE(after.chains[0].points.front() == before.junctions[0]);
+  EXPECT_TRUE(after.chains[1].points == loop.points);
+}
+
+// A bar with a stem on it, and the stem's chain ending this far (px) above the bar's.
+Chains bar_and_stem(Image& image, double apart) {
+  paint(image, {{20, 120}, {180, 120}}, kWidth);
+  paint(image, {{97, 20}, {97, 120}}, kWidth);
+  return {{}, {chain_along({{20, 120}, {180, 120}}, kWidth), chain_along({{97, 20}, {97, 120 - apart}}, kWidth)}};
+}
+
+TEST(Ends, AnEndThatInkLinksToAChainIsAttached) {
+  Image image = blank(200, 200);
+  const Chains traced = bar_and_stem(image, 0.8 * kWidth);
+  const Chains attached = attach_ends(traced, ink_of(image), kEnds);
+  ASSERT_EQ(attached.junctions.size(), 1u);
+  EXPECT_EQ(attached.chains.size(), 3u);
+  EXPECT_LT(norm(attached.junctions[0] - Vec2{97, 120}), 1.0);
+  expect_consistent(attached);
+  double length = 0;
+  for (const auto& chain : attached.chains) length += length_of(chain);
+  EXPECT_NEAR(length, 260, 0.5);
+}
+
+TEST(Ends, AnEndWithPaperBeforeItStaysFree) {
+  Image image = blank(200, 200);
+  paint(image, {{20, 120}, {180, 120}}, kWidth);
+  paint(image, {{97, 20}, {97, 109}}, kWidth);
+  const Chains traced{{}, {chain_along({{20, 120}, {180, 120}}, kWidth), chain_along({{97, 20}, {97, 112}}, kWidth)}};
+  const Chains kept = attach_ends(traced, ink_of(image), kEnds);
+  EXPECT_TRUE(kept.junctions.empty());
+  EXPECT_EQ(kept.chains.size(), 2u);
+}
+
+TEST(Ends, TwoEndsInOneStrokeBecomeOneChain) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {180, 50}}, kWidth);
+  const Chains traced{{}, {chain_along({{20, 50}, {98, 50}}, kWidth), chain_along({{180, 50}, {102, 50}}, kWidth)}};
+  const Chains joined = attach_ends(traced, ink_of(image), kEnds);
+  ASSERT_EQ(joined.chains.size(), 1u);
+  EXPECT_TRUE(joined.junctions.empty());
+  EXPECT_NEAR(length_of(joined.chains[0]), 160, 1e-6);
+}
+
+TEST(Ends, AnEndOnALoopLeavesTheLoopWhole) {
+  Image image = blank(200, 200);
+  auto circle = testing::circle({100, 100}, 40);
+  circle.back() = circle.front();
+  paint(image, circle, kWidth);
+  paint(image, {{20, 100}, {60, 100}}, kWidth);
+  Chain loop = chain_along(circle, kWidth);
+  loop.closed = true;
+  const Chains attached = attach_ends({{}, {loop, chain_along({{20, 100}, {55, 100}}, kWidth)}}, ink_of(image), kEnds);
+  ASSERT_EQ(attached.junctions.size(), 1u);
+  ASSERT_EQ(attached.chains.size(), 2u);
+  expect_consistent(attached);
+  EXPECT_NEAR(std::max(length_of(attached.chains[0]), length_of(attached.chains[1])), length_of(loop), 0.5);
+}
+
+TEST(Ends, DissolvingJoinsTwoChainsWhicheverWayTheyRun) {
+  const Vec2 a{10, 10}, middle{50, 20}, b{90, 70};
+  for (const bool first_reversed : {false, true})
+    for (const bool second_reversed : {false, true}) {
+      const Chain first = first_reversed ? chain_along({middle, a}, kWidth, 0, -1) : chain_along({a, middle}, kWidth, -1, 0);
+      const Chain second = second_reversed ? chain_along({b, middle}, kWidth, -1, 0) : chain_along({middle, b}, kWidth, 0, -1);
+      const Chains whole = dissolve_junctions({{middle}, {first, second}});
+      ASSERT_EQ(whole.chains.size(), 1u);
+      EXPECT_TRUE(whole.junctions.empty());
+      const auto& points = whole.chains[0].points;
+      EXPECT_EQ(points.size(), first.points.size() + second.points.size() - 1);
+      EXPECT_TRUE((points.front() == a && points.back() == b) || (points.front() == b && points.back() == a));
+      EXPECT_NEAR(length_of(whole.chains[0]), norm(middle - a) + norm(b - middle), 1e-9);
+      EXPECT_LT(testing::farthest_from(points, {a, middle, b}), 1e-9);
+      EXPECT_EQ(whole.chains[0].start_junction, -1);
+      EXPECT_EQ(whole.chains[0].end_junction, -1);
+    }
+}
+
+TEST(Ends, DissolvingClosesARingAndKeepsTrueJunctions) {
+  const Vec2 a{10, 10}, b{50, 10}, c{30, 50};
+  const Chains ring = dissolve_junctions(
+      {{a, b, c}, {chain_along({a, b}, kWidth, 0, 1), chain_along({c, b}, kWidth, 2, 1), chain_along({c, a}, kWidth, 2, 0)}});
+  ASSERT_EQ(ring.chains.size(), 1u);
+  EXPECT_TRUE(ring.chains[0].closed);
+  expect_consistent(ring);
+  EXPECT_NEAR(length_of(ring.chains[0]), norm(b - a) + norm(c - b) + norm(a - c), 1e-9);
+
+  const Chains star = dissolve_junctions(
+      {{{0, 0}, a},
+       {chain_along({a, b}, kWidth, 1, -1), chain_along({a, c}, kWidth, 1, -1), chain_along({{90, 90}, a}, kWidth, -1, 1)}});
+  EXPECT_EQ(star.chains.size(), 3u);
+  ASSERT_EQ(star.junctions.size(), 1u);
+  expect_consistent(star);
+}
+
+TEST(Ends, AJunctionWithOneBranchIsAFreeEnd) {
+  const Chains lone = dissolve_junctions({{{10, 10}}, {chain_along({{10, 10}, {90, 10}}, kWidth, 0, -1)}});
+  EXPECT_TRUE(lone.junctions.empty());
+  EXPECT_EQ(lone.chains[0].start_junction, -1);
+}
+
+}  // namespace
+}  // namespace inkgrid
