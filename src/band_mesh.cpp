@@ -83,7 +83,10 @@ class Refinement {
   }
 
   bool in_band(Vec2 p) const {
-    if (p.x < 0 || p.y < 0 || p.x > ink_.width() || p.y > ink_.height()) return false;
+    // Triangles that only reach into the image cover its last row of pixels.
+    const Vec2 inside{std::clamp(p.x, 0.0, ink_.width() - 1e-6), std::clamp(p.y, 0.0, ink_.height() - 1e-6)};
+    if (norm(p - inside) > side_) return false;
+    p = inside;
     const double reach = options_.reach * ink_.stroke_width * mask_factor(mask_, p), gap = bilinear(ink_.gap, p);
     if (gap < reach || nearest(ink_.mask, p, std::uint8_t{0})) return true;
     return nearest(filled_, p, std::uint8_t{0}) && gap < kFilledHole * reach + 0.5;

@@ -143,9 +143,7 @@ class Joiner {
 
 }  // namespace
 
-Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink,
-                     const ChainOptions& options) {
-  (void)options;
+Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink) {
   Chains chains = Joiner(stroke_pieces(graph, mesh, labels, ink.stroke_width), graph).join();
   for (auto& chain : chains.chains) {
     chain.width = ink.stroke_width;

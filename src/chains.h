@@ -26,12 +26,7 @@ struct Chains {
   std::vector<Chain> chains;
 };
 
-struct ChainOptions {
-  double reach = 0.3;  // beta, strokes
-  int coverage_bins = 4;
-};
-
-Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink,
-                     const ChainOptions& options);
+// `labels` as spread_labels gives them.
+Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink);
 
 }  // namespace inkgrid

@@ -154,11 +154,18 @@ Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
 
 Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
   const auto r = static_cast<float>(radius);
-  Raster<std::uint8_t> outside(ink.width(), ink.height());
-  for (std::size_t i = 0; i < outside.data.size(); ++i) outside.data[i] = ink.gap.data[i] > r;
-  const Raster<float> inside = distance_to(outside);
-  for (std::size_t i = 0; i < outside.data.size(); ++i) outside.data[i] = ink.mask.data[i] || inside.data[i] > r;
-  return outside;
+  const int w = ink.width(), h = ink.height(), margin = static_cast<int>(std::ceil(radius)) + 1;
+  // What lies on the border goes on beyond it, ink and paper alike.
+  Raster<std::uint8_t> far(w + 2 * margin, h + 2 * margin);
+  for (int y = 0; y < far.height; ++y)
+    for (int x = 0; x < far.width; ++x) far(x, y) = ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1));
+  const Raster<float> gap = distance_to(far);
+  for (std::size_t i = 0; i < far.data.size(); ++i) far.data[i] = gap.data[i] > r;
+  const Raster<float> inside = distance_to(far);
+  Raster<std::uint8_t> closed(w, h);
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) closed(x, y) = ink.mask(x, y) || inside(x + margin, y + margin) > r;
+  return closed;
 }
 
 Ink measure_ink(Binarisation binarisation) {

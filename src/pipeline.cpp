@@ -176,7 +176,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   });
   stages.chains = run("chains", 0.95, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
-    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink, {report.reach, options.coverage_bins});
+    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink);
   });
   const double width = stages.ink.stroke_width;
   stages.chains = run("refinement", 0.96, [&] {
@@ -185,7 +185,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   Leftovers leftovers = mark_leftovers(std::move(stages.chains), stages.ink, std::max(1.0, report.reach * width));
   stages.chains = std::move(leftovers.chains);
   report_leftovers(leftovers, stages.map, report);
-  const FitOptions fit_options{options.tolerance.value_or(0.12) * width, width};
+  const FitOptions fit_options{options.tolerance * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
   stages.drawing.junctions = std::move(fitted.junctions);

@@ -12,8 +12,8 @@ struct Options {
   std::optional<double> threshold;  // grey level 0..255; unset: chosen from the drawing (section 5)
   std::optional<double> reach;      // beta, strokes; unset: from the preset (section 5)
   std::optional<double> spacing;    // lambda, strokes; unset: from the preset (section 6.2)
-  std::optional<double> tolerance;  // of the curve fit, strokes; unset: from the preset (section 6.3)
 
+  double tolerance = 0.12;  // of the curve fit, strokes (section 6.3 takes the reach)
   double mesh_size = 0.25;  // largest circumdiameter of a triangle, strokes (section 5)
 
   double degenerate_angle = 30;       // degrees (section 6.1)

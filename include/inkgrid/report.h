@@ -32,7 +32,7 @@ struct Report {
   int snapping_integers = 0;
   double alignment_energy = 0;
   double snapping_energy = 0;
-  int fallback_components = 0;  // components whose solve failed and were traced along their medial axis
+  int fallback_components = 0;  // components whose solve failed: their ink is marked straight, and a warning says so
   // curves (section 6.3)
   int nodes = 0;
   int edges = 0;
