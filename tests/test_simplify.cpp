@@ -86,7 +86,7 @@ TEST(Simplify, AShortFreeChainIsNoSpur) {
 }
 
 TEST(Simplify, JunctionsOfOneCrossingBecomeOne) {
-  const Chains merged = merge_junctions(ladder(4, 0), kWidth);
+  const Chains merged = merge_junctions(ladder(4, 0), kWidth, 2.5 * kWidth);
   EXPECT_EQ(merged.chains.size(), 4u);
   ASSERT_EQ(merged.junctions.size(), 1u);
   EXPECT_NEAR(norm(merged.junctions[0] - Vec2{100, 100}), 0, 1e-9);
@@ -94,12 +94,12 @@ TEST(Simplify, JunctionsOfOneCrossingBecomeOne) {
 }
 
 TEST(Simplify, LongerLinksCountOnlyWithPaperBesideThem) {
-  EXPECT_EQ(merge_junctions(ladder(12, 0), kWidth).junctions.size(), 1u);
-  const Chains apart = merge_junctions(ladder(12, 8), kWidth);
+  EXPECT_EQ(merge_junctions(ladder(12, 0), kWidth, 2.5 * kWidth).junctions.size(), 1u);
+  const Chains apart = merge_junctions(ladder(12, 8), kWidth, 2.5 * kWidth);
   EXPECT_EQ(apart.junctions.size(), 2u);
   EXPECT_EQ(apart.chains.size(), 5u);
   expect_consistent(apart);
-  EXPECT_EQ(merge_junctions(ladder(16, 0), kWidth).junctions.size(), 2u);
+  EXPECT_EQ(merge_junctions(ladder(16, 0), kWidth, 2.5 * kWidth).junctions.size(), 2u);
 }
 
 TEST(Simplify, LinksInARowBecomeOneJunction) {
@@ -108,7 +108,7 @@ TEST(Simplify, LinksInARowBecomeOneJunction) {
   chains.chains.push_back(chain_along({{102, 100}, {106, 100}}, kWidth, 1, 2));
   chains.chains.push_back(chain_along({{106, 100}, {180, 90}}, kWidth, 2, -1));
   chains.chains.push_back(chain_along({{106, 100}, {180, 110}}, kWidth, 2, -1));
-  const Chains merged = merge_junctions(chains, kWidth);
+  const Chains merged = merge_junctions(chains, kWidth, 2.5 * kWidth);
   EXPECT_EQ(merged.chains.size(), 6u);
   ASSERT_EQ(merged.junctions.size(), 1u);
   EXPECT_NEAR(norm(merged.junctions[0] - Vec2{102, 100}), 0, 1e-9);
