@@ -309,8 +309,8 @@ BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& op
   const auto strokes = closed_ink(ink, options.reach * ink.stroke_width);
   for (int f = 0; f < mesh.face_count(); ++f) {
     mesh.scale.push_back(static_cast<float>(mask_factor(mask, mesh.barycentre(f))));
-    mesh.on_ink.push_back(nearest(ink.mask, mesh.barycentre(f), std::uint8_t{0}));
-    mesh.in_stroke.push_back(nearest(strokes, mesh.barycentre(f), std::uint8_t{0}));
+    mesh.on_ink.push_back(nearest_inside(ink.mask, mesh.barycentre(f)));
+    mesh.in_stroke.push_back(nearest_inside(strokes, mesh.barycentre(f)));
   }
   return mesh;
 }

@@ -20,7 +20,7 @@ struct BandMesh {
   std::vector<int> twins;                 // per halfedge: the halfedge of the neighbour, or -1 on the boundary
   std::vector<int> component;             // per face: its connected component over edges, numbered by smallest face
   std::vector<float> scale;               // per face: the mask's factor there
-  std::vector<std::uint8_t> on_ink;       // per face: its barycentre lies on a stroke pixel
+  std::vector<std::uint8_t> on_ink;       // per face: the pixel at its barycentre, or the nearest one inside, is a stroke pixel
   std::vector<std::uint8_t> in_stroke;  // per face: on ink, or on paper between strokes nearer to each other than twice the reach
   int components = 0;
 

@@ -146,7 +146,74 @@ int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeti
 
 }  // namespace
 
+namespace {
+
+// Two free ends that face each other over ink.
+struct Facing {
+  End a, b;
+  double distance = 0;
+};
+
+bool ink_between(const Ink& ink, Vec2 p, Vec2 q, double bridge) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * norm(q - p))));
+  double paper = 0;
+  for (int k = 0; k <= steps; ++k) {
+    paper = on_ink(ink, lerp(p, q, static_cast<double>(k) / steps)) ? 0 : paper + 0.5;
+    if (paper > bridge) return false;
+  }
+  return true;
+}
+
+std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
+  struct Tip {
+    End end;
+    Vec2 point, direction;
+  };
+  std::vector<Tip> tips;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const bool at_start : {true, false}) {
+      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
+      if (is_free(chain, at_start))
+        tips.push_back({{c, at_start}, chain.points[end_index(chain, at_start)], outward(chain, at_start, chain.width)});
+    }
+  std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
+  std::vector<Facing> pairs;
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= options.reach; ++j) {
+      const Vec2 way = tips[j].point - tips[i].point;
+      const double distance = norm(way);
+      if (distance > options.reach || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
+      // Ends of one short chain face each other too.
+      if (tips[i].end.chain == tips[j].end.chain &&
+          lengths_along(chains.chains[static_cast<std::size_t>(tips[i].end.chain)].points).back() < 3 * options.reach)
+        continue;
+      if (ink_between(ink, tips[i].point, tips[j].point, options.bridge)) pairs.push_back({tips[i].end, tips[j].end, distance});
+    }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Facing& s, const Facing& t) { return s.distance < t.distance; });
+  return pairs;
+}
+
+// Joins ends that face each other half way between them.
+Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  for (const auto& pair : facing_ends(chains, ink, options)) {
+    auto& a = chains.chains[static_cast<std::size_t>(pair.a.chain)];
+    auto& b = chains.chains[static_cast<std::size_t>(pair.b.chain)];
+    if (!is_free(a, pair.a.at_start) || !is_free(b, pair.b.at_start)) continue;
+    Vec2& tip_a = a.points[end_index(a, pair.a.at_start)];
+    Vec2& tip_b = b.points[end_index(b, pair.b.at_start)];
+    tip_a = tip_b = lerp(tip_a, tip_b, 0.5);
+    const int junction = static_cast<int>(chains.junctions.size());
+    chains.junctions.push_back(tip_a);
+    (pair.a.at_start ? a.start_junction : a.end_junction) = junction;
+    (pair.b.at_start ? b.start_junction : b.end_junction) = junction;
+  }
+  return dissolve_junctions(std::move(chains));
+}
+
+}  // namespace
+
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  chains = join_facing_ends(std::move(chains), ink, options);
   const Ownership ownership = assign_ink(chains.chains, ink, options.bridge);
   std::vector<Meeting> meetings;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)

@@ -13,8 +13,9 @@ struct EndOptions {
   double bridge = 1;  // paper narrower than this does not end a stroke, px
 };
 
-// An end from which ink leads straight on into another chain, or into its other end, is joined to it: end to end where both are
-// free ends, by a new junction otherwise.  Junctions left with two branches are dissolved.
+// Free ends that face each other within `reach` over ink are joined half way.  An end from which ink leads straight on into
+// another chain, or into its other end, is joined to it: end to end where both are free ends, by a new junction otherwise.
+// Junctions left with two branches are dissolved.
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);
 
 // Every end that is still free goes on straight, or is cut back, to half a stroke width inside the end of the ink.

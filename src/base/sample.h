@@ -27,4 +27,11 @@ T nearest(const Raster<T>& r, Vec2 p, T outside) {
   return r.contains(x, y) ? r(x, y) : outside;
 }
 
+// The value of the pixel nearest to p, which may lie beyond the border.
+template <class T>
+T nearest_inside(const Raster<T>& r, Vec2 p) {
+  const auto pixel = [](double v, int size) { return std::clamp(static_cast<int>(std::floor(v)), 0, size - 1); };
+  return r(pixel(p.x, r.width), pixel(p.y, r.height));
+}
+
 }  // namespace inkgrid
