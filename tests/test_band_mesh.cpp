@@ -301,5 +301,11 @@ TEST(BandMesh, PaperAloneHasNoBand) {
   EXPECT_EQ(mesh.components, 0);
 }
 
+TEST(BandMesh, InkAtTheBorderIsCovered) {
+  const Ink ink =
+      drawn_ink({{{20, 2}, {180, 2}}, {{-20, 100}, {220, 100}}, {{198, 20}, {198, 80}}, {{30, 199}, {170, 199}}}, 10, 200);
+  expect_valid(build_band(ink, nullptr, {}), ink);
+}
+
 }  // namespace
 }  // namespace inkgrid

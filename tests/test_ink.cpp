@@ -166,6 +166,13 @@ TEST(Ink, ClosingFillsGapsUpToTwiceTheRadiusOnly) {
     }
 }
 
+TEST(Ink, ClosingLeavesPaperAtTheBorder) {
+  Mask mask(60, 60);
+  for (int y = 45; y < 55; ++y)
+    for (int x = 0; x < 60; ++x) mask(x, y) = 1;
+  EXPECT_EQ(closed_ink(measured(mask), 6).data, mask.data);
+}
+
 TEST(Ink, ClosingByNothingChangesNothing) {
   const Mask mask = random_mask(40, 30, 0.3, 7);
   EXPECT_EQ(closed_ink(measured(mask), 0).data, mask.data);

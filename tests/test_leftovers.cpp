@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "drawn_bands.h"
+#include "leftovers.h"
+#include "polyline.h"
+
+namespace inkgrid {
+namespace {
+
+using testing::drawn_ink;
+
+Chain chain_along(Vec2 a, Vec2 b) {
+  Chain chain;
+  chain.points = resampled({a, b}, 1);
+  return chain;
+}
+
+TEST(Leftovers, ADotBecomesAShortMarkAtItsCentre) {
+  const Ink ink = drawn_ink({{{20, 50}, {180, 50}}, {{100, 120}, {100.1, 120}}}, 6, 200);
+  const Leftovers left = mark_leftovers({{}, {chain_along({20, 50}, {180, 50})}}, ink, 2);
+  ASSERT_EQ(left.chains.chains.size(), 2u);
+  EXPECT_EQ(left.dots, 1);
+  EXPECT_EQ(left.dashes, 0);
+  const auto& mark = left.chains.chains.back();
+  EXPECT_LT(norm(lerp(mark.points.front(), mark.points.back(), 0.5) - Vec2{100.05, 120}), 0.3);
+  EXPECT_LT(lengths_along(mark.points).back(), 2);
+  EXPECT_NEAR(mark.width, 6, 1.5);
+}
+
+TEST(Leftovers, AStrokeThatNoChainFollowsIsADash) {
+  const Ink ink = drawn_ink({{{40, 60}, {160, 120}}}, 6, 200);
+  const Leftovers left = mark_leftovers({}, ink, 2);
+  ASSERT_EQ(left.chains.chains.size(), 1u);
+  EXPECT_EQ(left.dashes, 1);
+  const auto& points = left.chains.chains.front().points;
+  const Vec2 a = points.front().x < points.back().x ? points.front() : points.back();
+  const Vec2 b = points.front().x < points.back().x ? points.back() : points.front();
+  EXPECT_LT(norm(a - Vec2{40, 60}), 1.5);
+  EXPECT_LT(norm(b - Vec2{160, 120}), 1.5);
+}
+
+TEST(Leftovers, InkWithAChainIsLeftAlone) {
+  const Ink ink = drawn_ink({{{20, 50}, {180, 50}}}, 6, 200);
+  const Leftovers left = mark_leftovers({{}, {chain_along({30, 51}, {90, 51})}}, ink, 2);
+  EXPECT_EQ(left.chains.chains.size(), 1u);
+  EXPECT_EQ(left.dots + left.dashes, 0);
+}
+
+}  // namespace
+}  // namespace inkgrid

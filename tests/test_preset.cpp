@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_bands.h"
+#include "preset.h"
+
+namespace inkgrid {
+namespace {
+
+using testing::blank;
+using testing::paint;
+
+std::vector<Vec2> wave(double y, double phase) {
+  std::vector<Vec2> line;
+  for (int x = 20; x <= 180; x += 4) line.push_back({double(x), y + 3 * std::sin(0.05 * x + phase)});
+  return line;
+}
+
+Ink ink_of(const Image& image) {
+  return measure_ink(binarise(image, std::nullopt));
+}
+
+TEST(Preset, EvenInkIsClean) {
+  Image image = blank(200, 200);
+  for (const double y : {40.0, 90.0, 150.0}) paint(image, wave(y, 0), 6);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+}
+
+TEST(Preset, StrokesOfDifferentGreyAreRough) {
+  Image image = blank(200, 200);
+  for (const double y : {40.0, 90.0, 150.0})
+    for (int k = 0; k < 4; ++k) paint(image, wave(y + 1.5 * k, 0.8 * k), 5, 20 + 30 * k);
+  EXPECT_GT(measure_sketchiness(ink_of(image)).opacity_spread, 0.05);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+}
+
+TEST(Preset, BlackStrokesWithSlitsAreRough) {
+  Image image = blank(200, 200);
+  for (const double y : {40.0, 90.0, 150.0})
+    for (int k = 0; k < 5; ++k) paint(image, wave(y + 3 * k, 0.9 * k), 2.5 + 0.8 * (k % 3));
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+}
+
+TEST(Preset, AGivenOneIsKept) {
+  Image image = blank(200, 200);
+  paint(image, wave(90, 0), 6);
+  EXPECT_EQ(choose_preset(Preset::rough, ink_of(image)), Preset::rough);
+  EXPECT_GT(preset_values(Preset::rough).reach, preset_values(Preset::clean).reach);
+  EXPECT_GT(preset_values(Preset::rough).spacing, preset_values(Preset::clean).spacing);
+}
+
+}  // namespace
+}  // namespace inkgrid
