@@ -103,19 +103,26 @@ void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& re
   for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
 }
 
-// An isoline that goes on past a junction to the rim of the ink is half a stroke long, a stub that was drawn at least this much
-// (strokes).
-constexpr double kRawSpur = 0.85;
-// The same for ends that are half a stroke inside the ink.
-constexpr double kSpur = 0.35;
+// What is smaller than half a grid cell is not resolved: doubles and spurs within it are dropped, and junctions within it and
+// half a stroke are one; further apart only where the chain between them lies inside a blot.
+struct Resolution {
+  double cell;       // half the grid spacing, px
+  double spur;       // half the grid spacing, strokes
+  double raw_spur;   // the same for an isoline that goes on to the rim of the ink, half a stroke further
+  double link;       // px
+  double bare_link;  // px
+};
 
-// Junctions nearer than this are one; further apart only where the chain between them lies inside a blot (strokes).
-constexpr double kLink = 0.8;
-constexpr double kBareLink = 2;
+Resolution resolution_of(double spacing, double width) {
+  const double half = 0.5 * spacing;
+  const double link = (half + 0.45) * width;
+  return {half * width, half, half + 0.5, link, 2.5 * link};
+}
 
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
 Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double spacing, int bins) {
   const double width = ink.stroke_width;
+  const Resolution resolution = resolution_of(spacing, width);
   const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width};
   const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
   const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
@@ -123,13 +130,13 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
     for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
     return to;
   };
-  Chains covered = drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), kRawSpur);
-  covered = merge_junctions(std::move(covered), kLink * width, kLink * width);
+  Chains covered = drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), resolution.raw_spur);
+  covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
-  attached = drop_spurs(drop_doubles(std::move(attached), 0.35 * width), kSpur);
-  attached = merge_junctions(std::move(attached), kLink * width, kBareLink * width);
+  attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
+  attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
   Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
-  return drop_spurs(reach_ends(std::move(located), ink, ends), kSpur);
+  return drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
 }
 
 }  // namespace
