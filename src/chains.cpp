@@ -143,13 +143,16 @@ class Joiner {
 
 }  // namespace
 
+double ink_coverage(const Chain& chain, const Ink& ink) {
+  double on = 0;
+  for (const Vec2 p : chain.points) on += nearest(ink.mask, p, std::uint8_t{0});
+  return on / static_cast<double>(chain.points.size());
+}
+
 Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink) {
   Chains chains = Joiner(stroke_pieces(graph, mesh, labels, ink.stroke_width), graph).join();
   for (auto& chain : chains.chains) {
     chain.width = ink.stroke_width;
-    double on = 0;
-    for (const Vec2 p : chain.points) on += nearest(ink.mask, p, std::uint8_t{0});
-    chain.coverage = on / static_cast<double>(chain.points.size());
   }
   std::erase_if(chains.chains, [&](const Chain& c) { return total_length(c.points) < 1e-6; });
   return chains;

@@ -26,6 +26,9 @@ struct Chains {
   std::vector<Chain> chains;
 };
 
+// The share of the chain's points that lie on ink.
+double ink_coverage(const Chain& chain, const Ink& ink);
+
 // `labels` as spread_labels gives them.
 Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink);
 

@@ -192,6 +192,7 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   Leftovers leftovers = mark_leftovers(std::move(stages.chains), stages.ink, std::max(1.0, report.reach * width));
   stages.chains = std::move(leftovers.chains);
   report_leftovers(leftovers, stages.map, report);
+  for (auto& chain : stages.chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
   const FitOptions fit_options{options.tolerance * width, width};
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
