@@ -125,7 +125,7 @@ TEST(Chains, ACrossingHasAJunctionThatItsChainsShareExactly) {
   EXPECT_GE(*std::max_element(ends.begin(), ends.end()), 3);
 }
 
-TEST(Chains, ACircleIsOneClosedChain) {
+TEST(Chains, ACircleIsOneChainAllAround) {
   Image image = blank(200, 200);
   paint(image, testing::circle({100, 100}, 60), 6);
   const Chains chains = chains_of(image);
