@@ -3,6 +3,7 @@
 // Cost:   linear in what the stages made.
 #include "stage_pictures.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -51,128 +52,139 @@ void each_edge(const BandMesh& mesh, Draw draw) {
 }
 
 // The mask, its centre line as equation (3) sees it, and a disc as wide as the measured stroke in the corner.
-void draw_ink(Canvas& canvas, const Stages& stages) {
+void draw_ink(Painter& painter, const Stages& stages) {
   const Ink& ink = stages.ink;
-  canvas.pixels(ink.mask, kInk);
+  painter.pixels(ink.mask, kInk);
   Raster<std::uint8_t> centre(ink.mask.width, ink.mask.height);
   for (std::size_t i = 0; i < centre.data.size(); ++i)
     centre.data[i] = ink.mask.data[i] && ink.centre_distance.data[i] < kNearCentre;
-  canvas.pixels(centre, kCentre);
-  if (ink.stroke_width > 0) canvas.disc({ink.stroke_width, ink.stroke_width}, canvas.scale() * ink.stroke_width / 2, kJunction);
+  painter.pixels(centre, kCentre);
+  if (ink.stroke_width > 0) painter.dot({ink.stroke_width, ink.stroke_width}, ink.stroke_width / 2, kJunction);
 }
 
-void draw_band(Canvas& canvas, const Stages& stages) {
+void draw_band(Painter& painter, const Stages& stages) {
   each_triangle(stages.mesh, [&](int f, Vec2 a, Vec2 b, Vec2 c) {
-    if (stages.mesh.on_ink[at(f)]) canvas.triangle(a, b, c, kBandOnInk);
+    if (stages.mesh.on_ink[at(f)]) painter.triangle(a, b, c, kBandOnInk);
   });
   each_edge(stages.mesh, [&](int h, Vec2 a, Vec2 b) {
     const bool boundary = stages.mesh.twins[at(h)] < 0;
-    canvas.line(a, b, boundary ? 1.6 : 0.6, boundary ? kMark : kBand);
+    painter.line(a, b, boundary ? 1.6 : 0.6, boundary ? kMark : kBand);
   });
 }
 
-void draw_field(Canvas& canvas, const Stages& stages) {
+void draw_field(Painter& painter, const Stages& stages) {
   const double stroke_width = stages.ink.stroke_width;
   const StreamlineOptions options{2 * stroke_width, 0.4 * stroke_width};
   for (const Streamline& line : spread_streamlines(stages.mesh, stages.charts, options)) {
     const bool stub = norm(line.points.back() - line.points.front()) < 0.5 * stroke_width;
-    if (!stub) canvas.polyline(line.points, 1.1, line.along_s ? kAlongS : kAlongT);
+    if (!stub) painter.polyline(line.points, 1.1, line.along_s ? kAlongS : kAlongT);
   }
 }
 
-void draw_labels(Canvas& canvas, const Stages& stages) {
+void draw_labels(Painter& painter, const Stages& stages) {
   const BandMesh& mesh = stages.mesh;
   each_triangle(mesh, [&](int f, Vec2 a, Vec2 b, Vec2 c) {
     const Label label = stages.labels[at(f)];
     const double alpha = mesh.on_ink[at(f)] ? 0.75 : 0.3;
-    canvas.triangle(a, b, c, {(label == Label::along_s ? kAlongS : label == Label::along_t ? kAlongT : kUnlabelled).rgb, alpha});
+    painter.triangle(a, b, c, {(label == Label::along_s ? kAlongS : label == Label::along_t ? kAlongT : kUnlabelled).rgb, alpha});
   });
   each_edge(mesh, [&](int h, Vec2 a, Vec2 b) {
-    if (stages.charts.cut[at(h)]) canvas.line(a, b, 4, kCut);
+    if (stages.charts.cut[at(h)]) painter.line(a, b, 4, kCut);
   });
   for (int v = 0; v < mesh.vertex_count(); ++v)
-    if (stages.charts.singular[at(v)]) canvas.disc(mesh.points[at(v)], 6, kJunction);
+    if (stages.charts.singular[at(v)]) painter.disc(mesh.points[at(v)], 6, kJunction);
 }
 
 // An edge in runs of one family: a transition may turn u into v on the way.
-void draw_isoline(Canvas& canvas, const GraphEdge& edge) {
+void draw_isoline(Painter& painter, const GraphEdge& edge) {
   for (std::size_t begin = 0; begin < edge.family.size();) {
     std::size_t end = begin;
     while (end < edge.family.size() && edge.family[end] == edge.family[begin]) ++end;
-    canvas.polyline(std::span(edge.path).subspan(begin, end - begin + 1), 2, edge.family[begin] ? kIsolineV : kIsolineU);
+    painter.polyline(std::span(edge.path).subspan(begin, end - begin + 1), 2, edge.family[begin] ? kIsolineV : kIsolineU);
     begin = end;
   }
 }
 
-void draw_grid(Canvas& canvas, const Stages& stages) {
-  for (const GraphEdge& edge : stages.graph.edges) draw_isoline(canvas, edge);
+void draw_grid(Painter& painter, const Stages& stages) {
+  for (const GraphEdge& edge : stages.graph.edges) draw_isoline(painter, edge);
   for (const GraphNode& node : stages.graph.nodes) switch (node.kind) {
       case NodeKind::grid:
-        canvas.disc(node.position, 3, kMark);
+        painter.disc(node.position, 3, kMark);
         break;
       case NodeKind::singular:
-        canvas.disc(node.position, 6, kJunction);
+        painter.disc(node.position, 6, kJunction);
         break;
       case NodeKind::boundary:
-        canvas.disc(node.position, 1.5, kBoundaryNode);
+        painter.disc(node.position, 1.5, kBoundaryNode);
         break;
     }
 }
 
-void draw_chains(Canvas& canvas, const Stages& stages) {
+void draw_chains(Painter& painter, const Stages& stages) {
   const Chains& chains = stages.chains;
-  for (std::size_t i = 0; i < chains.chains.size(); ++i) canvas.polyline(chains.chains[i].points, 2.5, in_turn(i));
+  for (std::size_t i = 0; i < chains.chains.size(); ++i) painter.polyline(chains.chains[i].points, 2.5, in_turn(i));
   for (const Chain& chain : chains.chains) {
     if (chain.closed || chain.points.empty()) continue;
-    if (chain.start_junction < 0) canvas.ring(chain.points.front(), 5, 2, kFree);
-    if (chain.end_junction < 0) canvas.ring(chain.points.back(), 5, 2, kFree);
+    if (chain.start_junction < 0) painter.ring(chain.points.front(), 5, 2, kFree);
+    if (chain.end_junction < 0) painter.ring(chain.points.back(), 5, 2, kFree);
   }
-  for (const Vec2 junction : chains.junctions) canvas.disc(junction, 4.5, kJunction);
+  for (const Vec2 junction : chains.junctions) painter.disc(junction, 4.5, kJunction);
 }
 
-void draw_handles(Canvas& canvas, const Cubic& cubic) {
-  canvas.line(cubic.p0, cubic.p1, 0.8, kHandle);
-  canvas.line(cubic.p3, cubic.p2, 0.8, kHandle);
-  canvas.square(cubic.p1, 2, kControl);
-  canvas.square(cubic.p2, 2, kControl);
+void draw_handles(Painter& painter, const Cubic& cubic) {
+  painter.line(cubic.p0, cubic.p1, 0.8, kHandle);
+  painter.line(cubic.p3, cubic.p2, 0.8, kHandle);
+  painter.square(cubic.p1, 2, kControl);
+  painter.square(cubic.p2, 2, kControl);
 }
 
-void draw_curves(Canvas& canvas, const Stages& stages) {
+void draw_curves(Painter& painter, const Stages& stages) {
   const Drawing& drawing = stages.drawing;
-  for (std::size_t i = 0; i < drawing.curves.size(); ++i) canvas.curve(drawing.curves[i], 2.5, in_turn(i));
+  for (std::size_t i = 0; i < drawing.curves.size(); ++i) painter.curve(drawing.curves[i], 2.5, in_turn(i));
   for (const Curve& curve : drawing.curves)
     for (const Cubic& cubic : curve.segments) {
-      draw_handles(canvas, cubic);
-      canvas.disc(cubic.p3, 2.5, kMark);
+      draw_handles(painter, cubic);
+      painter.disc(cubic.p3, 2.5, kMark);
     }
   for (const Curve& curve : drawing.curves) {
     if (curve.closed || curve.segments.empty()) continue;
-    if (curve.start_junction < 0) canvas.ring(curve.segments.front().p0, 5, 2, kFree);
-    if (curve.end_junction < 0) canvas.ring(curve.segments.back().p3, 5, 2, kFree);
+    if (curve.start_junction < 0) painter.ring(curve.segments.front().p0, 5, 2, kFree);
+    if (curve.end_junction < 0) painter.ring(curve.segments.back().p3, 5, 2, kFree);
   }
-  for (const Vec2 junction : drawing.junctions) canvas.disc(junction, 4.5, kJunction);
+  for (const Vec2 junction : drawing.junctions) painter.disc(junction, 4.5, kJunction);
 }
 
 struct StagePicture {
-  const char* file;
-  void (*draw)(Canvas&, const Stages&);
+  std::string_view name;
+  void (*draw)(Painter&, const Stages&);
 };
 
-constexpr StagePicture kPictures[] = {
-    {"1-ink.png", draw_ink},   {"2-band.png", draw_band},     {"3-field.png", draw_field},   {"4-labels.png", draw_labels},
-    {"5-grid.png", draw_grid}, {"6-chains.png", draw_chains}, {"7-curves.png", draw_curves},
+// In the order of the pipeline.
+constexpr std::array kPictures{
+    StagePicture{"ink", draw_ink},       StagePicture{"band", draw_band}, StagePicture{"field", draw_field},
+    StagePicture{"labels", draw_labels}, StagePicture{"grid", draw_grid}, StagePicture{"chains", draw_chains},
+    StagePicture{"curves", draw_curves},
 };
 
 }  // namespace
+
+bool paint_stage(std::string_view name, Painter& painter, const Stages& stages) {
+  const auto picture = std::find_if(kPictures.begin(), kPictures.end(), [&](const StagePicture& p) { return p.name == name; });
+  if (picture == kPictures.end()) return false;
+  picture->draw(painter, stages);
+  return true;
+}
 
 void write_stage_pictures(const std::string& directory, const Image& image, const Stages& stages) {
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw Error(ErrorCode::file, "The directory '" + directory + "' for stage pictures cannot be made.");
+  int number = 0;
   for (const StagePicture& picture : kPictures) {
     Canvas canvas(image, stages.ink.inverted);
     picture.draw(canvas, stages);
-    canvas.write_png((std::filesystem::path(directory) / picture.file).string());
+    const std::string file = std::to_string(++number) + "-" + std::string(picture.name) + ".png";
+    canvas.write_png((std::filesystem::path(directory) / file).string());
   }
 }
 

@@ -136,11 +136,6 @@ void Canvas::polyline(std::span<const Vec2> points, double width, Colour colour)
   stroke(width, colour);
 }
 
-void Canvas::line(Vec2 a, Vec2 b, double width, Colour colour) {
-  const Vec2 ends[] = {a, b};
-  polyline(ends, width, colour);
-}
-
 void Canvas::curve(const Curve& curve, double width, Colour colour) {
   if (curve.segments.empty()) return;
   const Vec2 start = at(curve.segments.front().p0);
@@ -159,6 +154,10 @@ void Canvas::disc(Vec2 centre, double radius, Colour colour) {
   fill({0xffffff, colour.alpha});
   circle(radius);
   fill(colour);
+}
+
+void Canvas::dot(Vec2 centre, double radius, Colour colour) {
+  disc(centre, scale_ * radius, colour);
 }
 
 void Canvas::ring(Vec2 centre, double radius, double width, Colour colour) {

@@ -1,49 +1,37 @@
-// What:   a picture that is drawn over a lightened copy of the drawing, in the drawing's own coordinates.
+// What:   a painter that makes a PNG file: marks over a lightened copy of the drawing.
 // Source: ours; no third-party header leaves canvas.cpp.
-// Differs: widths and radii are in pixels of the picture, so marks look the same whatever the drawing's size.
+// Differs: no.
 // Cost:   linear in what is drawn; a picture has at most 4000 x 4000 pixels.
-// 4000^2.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 
-#include "base/raster.h"
-#include "inkgrid/drawing.h"
 #include "inkgrid/image.h"
-#include "inkgrid/vec2.h"
+#include "pictures/painter.h"
 
 namespace inkgrid {
-
-struct Colour {
-  std::uint32_t rgb = 0;  // 0xRRGGBB
-  double alpha = 1;
-};
 
 // Picture pixels a drawing pixel: a whole number that brings small drawings near 2000 px, or one over a whole number for drawings
 // beyond 4000 px.
 double picture_scale(int width, int height);
 
-class Canvas {
+class Canvas final : public Painter {
  public:
   // `inverted`: light lines on dark paper are turned over before they are lightened.
   Canvas(const Image& drawing, bool inverted);
-  ~Canvas();
+  ~Canvas() override;
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  double scale() const { return scale_; }
-
-  void pixels(const Raster<std::uint8_t>& mask, Colour colour);
-  void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour);
-  void polyline(std::span<const Vec2> points, double width, Colour colour);
-  void line(Vec2 a, Vec2 b, double width, Colour colour);
-  void curve(const Curve& curve, double width, Colour colour);
-  void disc(Vec2 centre, double radius, Colour colour);  // with a white rim
-  void ring(Vec2 centre, double radius, double width, Colour colour);
-  void square(Vec2 centre, double half_side, Colour colour);
+  void pixels(const Raster<std::uint8_t>& mask, Colour colour) override;
+  void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour) override;
+  void polyline(std::span<const Vec2> points, double width, Colour colour) override;
+  void curve(const Curve& curve, double width, Colour colour) override;
+  void disc(Vec2 centre, double radius, Colour colour) override;
+  void dot(Vec2 centre, double radius, Colour colour) override;
+  void ring(Vec2 centre, double radius, double width, Colour colour) override;
+  void square(Vec2 centre, double half_side, Colour colour) override;
 
   // Written beside and renamed.  Throws Error{file}.
   void write_png(const std::string& path) const;
