@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "arguments.h"
-#include "export/svg.h"
+#include "export/export.h"
 #include "files.h"
 #include "image_io.h"
 #include "jobs.h"
@@ -52,7 +52,8 @@ void vectorize_file(const Arguments& arguments, const Job& job) {
   tell(arguments, stages.report);
   if (!arguments.stages.empty()) write_stage_pictures(arguments.stages, image, stages);
   if (!arguments.report.empty()) write_file(arguments.report, report_json(arguments.options, stages.report));
-  write_file(job.output, svg_text(stages.drawing, run_description(arguments.options, stages.report)));
+  write_file(job.output,
+             export_drawing(stages.drawing, export_formats().front(), {}, run_description(arguments.options, stages.report)));
 }
 
 // The exit code of what `action` does: 0, or that of the error it ended with, told in one sentence.

@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "base/cubic.h"
 #include "fit_samples.h"
-#include "inkgrid/drawing.h"
 
 namespace inkgrid {
 
@@ -26,25 +26,6 @@ struct SmoothSpline {
 
 // For each point, the place on the spline nearest to it: the number of the segment + the parameter in it.
 using Feet = std::vector<double>;
-
-inline std::array<double, 4> bernstein(double t) {
-  const double s = 1 - t;
-  return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-}
-
-inline Vec2 point_on(const Cubic& c, double t) {
-  const auto b = bernstein(t);
-  return b[0] * c.p0 + b[1] * c.p1 + b[2] * c.p2 + b[3] * c.p3;
-}
-
-inline Vec2 velocity_on(const Cubic& c, double t) {
-  const double s = 1 - t;
-  return 3 * (s * s * (c.p1 - c.p0) + 2 * s * t * (c.p2 - c.p1) + t * t * (c.p3 - c.p2));
-}
-
-inline Vec2 acceleration_on(const Cubic& c, double t) {
-  return 6 * ((1 - t) * (c.p2 - 2 * c.p1 + c.p0) + t * (c.p3 - 2 * c.p2 + c.p1));
-}
 
 // Without the care for overflow of unit().
 inline Vec2 fast_unit(Vec2 a) {

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
+#include "base/decimal.h"
+#include "base/overloaded.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
 
 constexpr std::array kPresetNames{"auto", "clean", "rough"};
 
@@ -44,23 +39,6 @@ constexpr std::array kTable{
     OptionRow{"tolerance", &Options::tolerance, "strokes", 0.001, 10, "6.3", "largest distance of a curve from its chain"},
     OptionRow{"threads", &Options::threads, "", 0, 1024, "", "workers, 0 for as many as the machine has; the result is the same"},
 };
-
-// The shortest decimal that reads back as the same value, without an exponent where a person would write none.
-std::string number_text(double value) {
-  const bool plain = value == 0 || (std::abs(value) >= 1e-6 && std::abs(value) < 1e9);
-  const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr};
-}
-
-// The whole text as a number, in the C locale whatever the user's is.
-template <class Number>
-std::optional<Number> parsed(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // False for what is no number, too.
 bool in_range(const OptionRow& row, double value) {
@@ -97,7 +75,7 @@ const OptionRow& option_row(std::string_view name) {
 }
 
 std::string accepted_values(const OptionRow& row) {
-  std::string range = number_text(row.least) + " to " + number_text(row.most);
+  std::string range = shortest(row.least) + " to " + shortest(row.most);
   if (!row.unit.empty()) range.append(" ").append(row.unit);
   return std::visit(Overloaded{[](Preset Options::*) { return std::string("auto, clean or rough"); },
                                [&](double Options::*) { return "a number from " + range; },
@@ -123,8 +101,8 @@ void set_option(Options& options, const OptionRow& row, std::string_view text) {
 std::string option_text(const Options& options, const OptionRow& row) {
   return std::visit(
       Overloaded{[&](Preset Options::*m) { return std::string(kPresetNames.at(static_cast<std::size_t>(options.*m))); },
-                 [&](double Options::*m) { return number_text(options.*m); },
-                 [&](std::optional<double> Options::*m) { return options.*m ? number_text(*(options.*m)) : std::string("auto"); },
+                 [&](double Options::*m) { return shortest(options.*m); },
+                 [&](std::optional<double> Options::*m) { return options.*m ? shortest(*(options.*m)) : std::string("auto"); },
                  [&](int Options::*m) { return std::to_string(options.*m); }},
       row.member);
 }

@@ -96,13 +96,6 @@ void report_leftovers(const Leftovers& leftovers, const GridMap& map, Report& re
         sentence(leftovers.dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
 }
 
-void report_curves(const IsolineGraph& graph, const Drawing& drawing, Report& report) {
-  report.nodes = static_cast<int>(graph.nodes.size());
-  report.edges = static_cast<int>(graph.edges.size());
-  report.curves = static_cast<int>(drawing.curves.size());
-  for (const auto& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
-}
-
 // What is smaller than half a grid cell is not resolved: doubles and spurs within it are dropped, and junctions within it and
 // half a stroke are one; further apart only where the chain between them lies inside a blot.
 struct Resolution {
@@ -140,6 +133,12 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
 }
 
 }  // namespace
+
+void count_curves(const Drawing& drawing, Report& report) {
+  report.curves = static_cast<int>(drawing.curves.size());
+  report.segments = 0;
+  for (const Curve& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
+}
 
 Stages run_stages(const Image& image, const Options& options, const Control& control) {
   validate(options);
@@ -197,7 +196,9 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
   Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
   stages.drawing.curves = std::move(fitted.curves);
   stages.drawing.junctions = std::move(fitted.junctions);
-  report_curves(stages.graph, stages.drawing, report);
+  report.nodes = static_cast<int>(stages.graph.nodes.size());
+  report.edges = static_cast<int>(stages.graph.edges.size());
+  count_curves(stages.drawing, report);
   return stages;
 }
 

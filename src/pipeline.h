@@ -26,4 +26,7 @@ struct Stages {
 
 Stages run_stages(const Image& image, const Options& options, const Control& control);
 
+// Puts the numbers of curves and segments into the report.
+void count_curves(const Drawing& drawing, Report& report);
+
 }  // namespace inkgrid

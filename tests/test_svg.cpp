@@ -6,7 +6,7 @@
 #include <locale>
 #include <regex>
 
-#include "export/svg.h"
+#include "export/writers.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -41,11 +41,11 @@ std::string only(const std::string& text, const std::string& pattern) {
 }
 
 std::string path_of(const Curve& curve) {
-  return only(svg_text(drawing_of({curve}), ""), " d=\"([^\"]*)\"");
+  return only(svg_text(drawing_of({curve}), {}, ""), " d=\"([^\"]*)\"");
 }
 
 TEST(Svg, SizeIsInPixelsWithoutResolution) {
-  const std::string text = svg_text(drawing_of({}), "");
+  const std::string text = svg_text(drawing_of({}), {}, "");
   EXPECT_EQ(only(text, "viewBox=\"([^\"]*)\""), "0 0 640 480");
   EXPECT_EQ(only(text, " width=\"([^\"]*)\""), "640");
   EXPECT_EQ(only(text, " height=\"([^\"]*)\""), "480");
@@ -54,14 +54,14 @@ TEST(Svg, SizeIsInPixelsWithoutResolution) {
 TEST(Svg, SizeIsInMillimetresWithResolution) {
   Drawing drawing = drawing_of({});
   drawing.pixels_per_mm = 300 / 25.4;
-  const std::string text = svg_text(drawing, "");
+  const std::string text = svg_text(drawing, {}, "");
   EXPECT_EQ(only(text, "viewBox=\"([^\"]*)\""), "0 0 640 480");
   EXPECT_EQ(only(text, " width=\"([^\"]*)\""), "54.187mm");
   EXPECT_EQ(only(text, " height=\"([^\"]*)\""), "40.64mm");
 }
 
 TEST(Svg, OnePathACurveNumberedInOrder) {
-  const std::string text = svg_text(drawing_of({line({0, 0}, {1, 0}), line({0, 1}, {1, 1}, 4.25), line({0, 2}, {1, 2})}), "");
+  const std::string text = svg_text(drawing_of({line({0, 0}, {1, 0}), line({0, 1}, {1, 1}, 4.25), line({0, 2}, {1, 2})}), {}, "");
   EXPECT_EQ(matches(text, "<path id=\"([^\"]*)\""), (std::vector<std::string>{"curve-1", "curve-2", "curve-3"}));
   EXPECT_EQ(matches(text, "stroke-width=\"([^\"]*)\""), (std::vector<std::string>{"3", "4.25", "3"}));
 }
@@ -100,7 +100,7 @@ TEST(Svg, NumbersStayWithinHalfAThousandth) {
 
 TEST(Svg, EqualPointsAreWrittenEqually) {
   const Vec2 junction{1 / 3.0, 200.0 / 7};
-  const auto paths = matches(svg_text(drawing_of({line({0, 0}, junction), line(junction, {9, 9})}), ""), " d=\"([^\"]*)\"");
+  const auto paths = matches(svg_text(drawing_of({line({0, 0}, junction), line(junction, {9, 9})}), {}, ""), " d=\"([^\"]*)\"");
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_EQ(paths[0].substr(paths[0].rfind(' ') + 1), paths[1].substr(1, paths[1].find(' ') - 1));
 }
@@ -113,25 +113,25 @@ class DecimalComma : public std::numpunct<char> {
 
 TEST(Svg, DoesNotDependOnTheLocale) {
   const Drawing drawing = drawing_of({line({12345.678, 0.5}, {1, 2.25})});
-  const std::string before = svg_text(drawing, "x");
+  const std::string before = svg_text(drawing, {}, "x");
   const std::locale old = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
-  const std::string after = svg_text(drawing, "x");
+  const std::string after = svg_text(drawing, {}, "x");
   std::locale::global(old);
   EXPECT_EQ(before, after);
 }
 
 TEST(Svg, DescriptionIsEscaped) {
-  const std::string text = svg_text(drawing_of({}), "a < b && c > \"d\"\x01");
+  const std::string text = svg_text(drawing_of({}), {}, "a < b && c > \"d\"\x01");
   EXPECT_EQ(only(text, "<metadata>(.*)</metadata>"), "a &lt; b &amp;&amp; c &gt; \"d\"");
 }
 
 TEST(Svg, CurvesOfUnknownWidthStayVisible) {
-  EXPECT_TRUE(matches(svg_text(drawing_of({line({0, 0}, {1, 1}, 0)}), ""), "stroke-width=\"(0)\"").empty());
+  EXPECT_TRUE(matches(svg_text(drawing_of({line({0, 0}, {1, 1}, 0)}), {}, ""), "stroke-width=\"(0)\"").empty());
 }
 
 TEST(Svg, NeverWritesWhatIsNoNumber) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300})
-    EXPECT_THROW(svg_text(drawing_of({line({0, bad}, {1, 1})}), ""), Error) << bad;
+    EXPECT_THROW(svg_text(drawing_of({line({0, bad}, {1, 1})}), {}, ""), Error) << bad;
 }
 
 }  // namespace

@@ -1,20 +1,12 @@
-#include "export/svg.h"
-
-#include <cmath>
-
-#include "base/decimal.h"
-#include "inkgrid/inkgrid.h"
+// SVG 1.1.
+#include "export/paper.h"
+#include "export/writers.h"
 
 namespace inkgrid {
 namespace {
 
-std::string number(double value) {
-  if (!(std::abs(value) < 1e9)) throw Error(ErrorCode::numerics, "a curve has a coordinate that is no number");
-  return decimal(value, 3);
-}
-
 std::string point(Vec2 p) {
-  return number(p.x) + ',' + number(p.y);
+  return coordinate(p.x) + ',' + coordinate(p.y);
 }
 
 std::string path_data(const Curve& curve) {
@@ -39,25 +31,28 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string opening_tag(const Drawing& drawing) {
-  const bool scaled = drawing.pixels_per_mm > 0;
-  const double unit = scaled ? drawing.pixels_per_mm : 1;
-  const std::string suffix = scaled ? "mm\"" : "\"";
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(drawing.width) + ' ' + number(drawing.height) +
-         "\" width=\"" + number(drawing.width / unit) + suffix + " height=\"" + number(drawing.height / unit) + suffix + ">\n";
+std::string length(double pixels, const Paper& paper) {
+  const char* suffix = paper.unit == LengthUnit::millimetres ? "mm" : paper.unit == LengthUnit::inches ? "in" : "";
+  return coordinate(pixels * paper.units_a_pixel) + suffix;
+}
+
+std::string opening_tag(const Drawing& drawing, const Paper& paper) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + coordinate(drawing.width) + ' ' +
+         coordinate(drawing.height) + "\" width=\"" + length(drawing.width, paper) + "\" height=\"" +
+         length(drawing.height, paper) + "\">\n";
 }
 
 }  // namespace
 
-std::string svg_text(const Drawing& drawing, const std::string& description) {
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_tag(drawing);
+std::string svg_text(const Drawing& drawing, const ExportOptions& options, const std::string& description) {
+  const Paper paper = paper_of(drawing, options);
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_tag(drawing, paper);
   text += "<metadata>" + escaped(description) + "</metadata>\n";
   text += "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   int count = 0;
   for (const Curve& curve : drawing.curves) {
-    text += "<path id=\"curve-" + std::to_string(++count) + '"';
-    if (curve.width > 0) text += " stroke-width=\"" + number(curve.width) + '"';
-    text += " d=\"" + path_data(curve) + "\"/>\n";
+    text += "<path id=\"curve-" + std::to_string(++count) + "\" stroke-width=\"" +
+            coordinate(stroke_width(curve, options, paper)) + "\" d=\"" + path_data(curve) + "\"/>\n";
   }
   return text + "</g>\n</svg>\n";
 }

@@ -1,0 +1,11 @@
+// One function of several, for std::visit.
+#pragma once
+
+namespace inkgrid {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+}  // namespace inkgrid

@@ -1,0 +1,142 @@
+#include "export/export.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/decimal.h"
+#include "base/overloaded.h"
+#include "export/writers.h"
+#include "inkgrid/inkgrid.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr std::array kFormats{
+    ExportFormat{"svg", "image/svg+xml", "curves with a stroke width each, for Inkscape, browsers and most other programs",
+                 svg_text},
+    ExportFormat{"json", "application/json", "curves, junctions and what was measured, to the last digit, for programs",
+                 graph_json},
+};
+
+constexpr std::array kTable{
+    ExportOptionRow{"unit", &ExportOptions::unit, "", 0, 0,
+                    "of sizes and coordinates; auto is mm where the resolution is known and px elsewhere"},
+    ExportOptionRow{"resolution", &ExportOptions::resolution, "auto", 1, 1e5,
+                    "pixels an inch; auto is what the drawing's file says, or 96 where it says nothing"},
+    ExportOptionRow{"stroke-width", &ExportOptions::stroke_width, "measured", 0, 1e5, "of all curves, in the unit"},
+    ExportOptionRow{"dxf-curves", &ExportOptions::dxf_curves, "", 0, 0,
+                    "DXF: polylines for every reader (R12), or exact splines (2000)"},
+    ExportOptionRow{"flatness", &ExportOptions::flatness, "", 1e-3, 100,
+                    "DXF: largest distance of a polyline from its curve, px"},
+    ExportOptionRow{"png-scale", &ExportOptions::png_scale, "", 0.01, 100, "PNG: its pixels for a pixel of the drawing"},
+};
+
+constexpr std::array kUnitNames{"auto", "mm", "inch", "px"};
+constexpr std::array kDxfCurvesNames{"polylines", "splines"};
+
+constexpr std::span<const char* const> names_of(LengthUnit) {
+  return kUnitNames;
+}
+constexpr std::span<const char* const> names_of(DxfCurves) {
+  return kDxfCurvesNames;
+}
+
+bool in_range(const ExportOptionRow& row, double value) {
+  return row.least <= value && value <= row.most;
+}
+
+[[noreturn]] void refuse(const ExportOptionRow& row, std::string_view text) {
+  throw Error(ErrorCode::usage, std::string(row.name) + " must be " + accepted_values(row) + ", not '" + std::string(text) + "'");
+}
+
+double number_in_range(const ExportOptionRow& row, std::string_view text) {
+  const std::optional<double> value = parsed<double>(text);
+  if (!value || !in_range(row, *value)) refuse(row, text);
+  return *value;
+}
+
+template <class Choice>
+Choice choice_of(const ExportOptionRow& row, std::string_view text) {
+  const auto names = names_of(Choice{});
+  const auto name = std::find(names.begin(), names.end(), text);
+  if (name == names.end()) refuse(row, text);
+  return static_cast<Choice>(name - names.begin());
+}
+
+std::string listed(std::span<const char* const> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+    text += names[i];
+  }
+  return text;
+}
+
+void validate(const ExportOptions& options) {
+  for (const ExportOptionRow& row : kTable)
+    std::visit(Overloaded{[&](double ExportOptions::*m) {
+                            if (!in_range(row, options.*m)) refuse(row, shortest(options.*m));
+                          },
+                          [&](std::optional<double> ExportOptions::*m) {
+                            if (options.*m && !in_range(row, *(options.*m))) refuse(row, shortest(*(options.*m)));
+                          },
+                          [](auto) {}},
+               row.member);
+}
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() {
+  return kFormats;
+}
+
+std::string export_format_names() {
+  std::string names;
+  for (const ExportFormat& format : kFormats) names.append(names.empty() ? "" : ", ").append(format.name);
+  return names;
+}
+
+const ExportFormat& export_format(std::string_view name) {
+  const auto format = std::find_if(kFormats.begin(), kFormats.end(), [&](const ExportFormat& f) { return f.name == name; });
+  if (format == kFormats.end())
+    throw Error(ErrorCode::usage, "there is no format '" + std::string(name) + "': the formats are " + export_format_names());
+  return *format;
+}
+
+std::string export_drawing(const Drawing& drawing, const ExportFormat& format, const ExportOptions& options,
+                           const std::string& description) {
+  validate(options);
+  return format.write(drawing, options, description);
+}
+
+std::span<const ExportOptionRow> export_option_table() {
+  return kTable;
+}
+
+std::string accepted_values(const ExportOptionRow& row) {
+  const std::string range = "a number from " + shortest(row.least) + " to " + shortest(row.most);
+  return std::visit(Overloaded{[&](double ExportOptions::*) { return range; },
+                               [&](std::optional<double> ExportOptions::*) { return range + " or " + std::string(row.unset); },
+                               [](auto choice) { return listed(names_of((ExportOptions{}).*choice)); }},
+                    row.member);
+}
+
+void set_option(ExportOptions& options, const ExportOptionRow& row, std::string_view text) {
+  std::visit(Overloaded{[&](double ExportOptions::*m) { options.*m = number_in_range(row, text); },
+                        [&](std::optional<double> ExportOptions::*m) {
+                          options.*m = text == row.unset ? std::nullopt : std::optional(number_in_range(row, text));
+                        },
+                        [&]<class Choice>(Choice ExportOptions::*m) { options.*m = choice_of<Choice>(row, text); }},
+             row.member);
+}
+
+std::string option_text(const ExportOptions& options, const ExportOptionRow& row) {
+  return std::visit(
+      Overloaded{
+          [&](double ExportOptions::*m) { return shortest(options.*m); },
+          [&](std::optional<double> ExportOptions::*m) { return options.*m ? shortest(*(options.*m)) : std::string(row.unset); },
+          [&](auto choice) { return std::string(names_of(options.*choice)[static_cast<std::size_t>(options.*choice)]); }},
+      row.member);
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,60 @@
+// JSON of the whole graph: one line a junction, one line a curve.
+#include <nlohmann/json.hpp>
+
+#include "export/paper.h"
+#include "export/writers.h"
+
+namespace inkgrid {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point_json(Vec2 p) {
+  return {checked(p.x), checked(p.y)};
+}
+
+// Counted from 1, as in the ids of the SVG; null for none.
+Json junction_json(int junction) {
+  return junction < 0 ? Json() : Json(junction + 1);
+}
+
+Json curve_json(const Curve& curve, int id) {
+  Json points = Json::array({point_json(curve.segments.front().p0)});
+  for (const Cubic& c : curve.segments)
+    for (const Vec2 p : {c.p1, c.p2, c.p3}) points.push_back(point_json(p));
+  return {{"id", id},
+          {"closed", curve.closed},
+          {"width", checked(curve.width)},
+          {"coverage", checked(curve.coverage)},
+          {"start", junction_json(curve.start_junction)},
+          {"end", junction_json(curve.end_junction)},
+          {"points", std::move(points)}};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+template <class Items, class Write>
+std::string lines(const Items& items, Write write) {
+  std::string text;
+  int id = 0;
+  for (const auto& item : items) text += (id > 0 ? ",\n" : "\n") + text_of(write(item, id + 1)), ++id;
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+std::string graph_json(const Drawing& drawing, const ExportOptions& options, const std::string& description) {
+  const double resolution = pixels_per_mm(drawing, options);
+  const Json head{{"format", "inkgrid-graph"},  {"version", 1},
+                  {"description", description}, {"width", drawing.width},
+                  {"height", drawing.height},   {"pixels_per_mm", resolution > 0 ? Json(resolution) : Json()}};
+  std::string text = text_of(head);
+  text.pop_back();
+  text += ",\n\"junctions\":" + lines(drawing.junctions, [](Vec2 p, int id) { return Json{{"id", id}, {"at", point_json(p)}}; });
+  text += ",\n\"curves\":" + lines(drawing.curves, curve_json);
+  return text + "}\n";
+}
+
+}  // namespace inkgrid

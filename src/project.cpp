@@ -1,0 +1,44 @@
+#include "project.h"
+
+#include "image_io.h"
+
+namespace inkgrid {
+namespace {
+
+// A sentence about the edits that did nothing.
+std::string missed_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " hand edit" : " hand edits") + " found no curve at the place it is meant for";
+}
+
+void apply_hand_edits(Stages& stages, const std::vector<Edit>& edits) {
+  Edited edited = apply_edits(std::move(stages.drawing), edits);
+  stages.drawing = std::move(edited.drawing);
+  if (!edited.missed.empty()) stages.report.warnings.push_back(missed_text(edited.missed.size()));
+  count_curves(stages.drawing, stages.report);
+}
+
+}  // namespace
+
+Image project_image(const Project& project) {
+  return decode_image(project.drawing.bytes, project.drawing.name);
+}
+
+std::optional<ScaleMask> project_mask(const Project& project, const Image& image) {
+  std::optional<ScaleMask> mask;
+  if (project.mask) mask = decode_mask(project.mask->bytes, project.mask->name);
+  if (project.scribbles.empty()) return mask;
+  if (!mask) mask = ScaleMask{image.width, image.height, std::vector<float>(image.grey.size(), 1.0f)};
+  paint_scribbles(*mask, project.scribbles);
+  return mask;
+}
+
+Stages run_project(const Project& project, const Image& image, const Control& control) {
+  const std::optional<ScaleMask> mask = project_mask(project, image);
+  Control masked = control;
+  masked.mask = mask ? &*mask : nullptr;
+  Stages stages = run_stages(image, project.options, masked);
+  if (!project.edits.empty()) apply_hand_edits(stages, project.edits);
+  return stages;
+}
+
+}  // namespace inkgrid
