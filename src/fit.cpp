@@ -1,9 +1,11 @@
 #include "fit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 
 #include "fit_samples.h"
 #include "fit_span.h"
@@ -346,9 +348,28 @@ std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const
   return cubics;
 }
 
+namespace {
+
+// A bijection that spreads every bit over the word (the finaliser of splitmix64).
+constexpr std::uint64_t mixed(std::uint64_t word) {
+  word = (word ^ word >> 30) * 0xbf58476d1ce4e5b9;
+  word = (word ^ word >> 27) * 0x94d049bb133111eb;
+  return word ^ word >> 31;
+}
+
+std::uint64_t digest(std::span<const Vec2> points) {
+  std::uint64_t hash = points.size();
+  for (const Vec2 p : points)
+    for (const double value : {p.x, p.y}) hash = mixed(hash ^ std::bit_cast<std::uint64_t>(value));
+  return hash;
+}
+
+}  // namespace
+
 Drawing fit_curves(const Chains& chains, const FitOptions& options) {
   Drawing drawing;
   drawing.junctions = chains.junctions;
+  std::set<std::uint64_t> ids;
   for (const Chain& chain : chains.chains) {
     // A closed chain on a junction must pass through it, so its seam stays there.
     const bool free_seam = chain.closed && chain.start_junction < 0 && chain.end_junction < 0;
@@ -357,7 +378,9 @@ Drawing fit_curves(const Chains& chains, const FitOptions& options) {
                 chain.width,
                 chain.coverage,
                 chain.start_junction,
-                chain.end_junction};
+                chain.end_junction,
+                digest(chain.points)};
+    while (!ids.insert(curve.id).second) ++curve.id;  // curves through the very same points
     if (!curve.segments.empty()) drawing.curves.push_back(curve);
   }
   return drawing;

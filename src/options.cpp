@@ -12,32 +12,40 @@ namespace {
 
 constexpr std::array kPresetNames{"auto", "clean", "rough"};
 
+constexpr std::array<std::string_view, 10> kStageNames{"ink",      "band",     "frame field", "charts", "labels",
+                                                       "grid map", "isolines", "chains",      "fit",    ""};
+
 constexpr std::array kTable{
-    OptionRow{"preset", &Options::preset, "", 0, 2, "7",
+    OptionRow{"preset", &Options::preset, Stage::band, "", 0, 2, "7",
               "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
-    OptionRow{"threshold", &Options::threshold, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
-    OptionRow{"reach", &Options::reach, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
-    OptionRow{"mesh-size", &Options::mesh_size, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
-    OptionRow{"degenerate-angle", &Options::degenerate_angle, "degrees", 0, 90, "6.1",
+    OptionRow{"threshold", &Options::threshold, Stage::ink, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
+    OptionRow{"reach", &Options::reach, Stage::band, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
+    OptionRow{"mesh-size", &Options::mesh_size, Stage::band, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
+    OptionRow{"degenerate-angle", &Options::degenerate_angle, Stage::field, "degrees", 0, 90, "6.1",
               "a frame with a smaller angle is degenerate"},
-    OptionRow{"degenerate-ratio", &Options::degenerate_ratio, "", 0, 1, "6.1",
+    OptionRow{"degenerate-ratio", &Options::degenerate_ratio, Stage::field, "", 0, 1, "6.1",
               "a frame with a smaller ratio of lengths is degenerate"},
-    OptionRow{"degenerate-fraction", &Options::degenerate_fraction, "", 0, 1, "6.1",
+    OptionRow{"degenerate-fraction", &Options::degenerate_fraction, Stage::field, "", 0, 1, "6.1",
               "re-weighting stops when fewer frames are degenerate"},
-    OptionRow{"field-rounds", &Options::field_rounds, "", 0, 10000, "6.1", "re-weighting rounds at most"},
-    OptionRow{"label-length", &Options::label_length, "strokes", 0.5, 100, "6.1",
+    OptionRow{"field-rounds", &Options::field_rounds, Stage::field, "", 0, 10000, "6.1", "re-weighting rounds at most"},
+    OptionRow{"label-length", &Options::label_length, Stage::labels, "strokes", 0.5, 100, "6.1",
               "how far a triangle looks along its two directions"},
-    OptionRow{"label-ratio", &Options::label_ratio, "", 0, 0.5, "6.1", "above this share of ink the weaker direction is as good"},
-    OptionRow{"spacing", &Options::spacing, "strokes", 0.1, 100, "6.2", "distance of grid lines; nearer strokes merge (lambda)"},
-    OptionRow{"snap", &Options::snap, "", 0, 1e6, "6.2", "weight that draws strokes to grid lines (mu)"},
-    OptionRow{"snap-sigma", &Options::snap_sigma, "half-widths", 0.01, 10, "6.2",
+    OptionRow{"label-ratio", &Options::label_ratio, Stage::labels, "", 0, 0.5, "6.1",
+              "above this share of ink the weaker direction is as good"},
+    OptionRow{"spacing", &Options::spacing, Stage::map, "strokes", 0.1, 100, "6.2",
+              "distance of grid lines; nearer strokes merge (lambda)"},
+    OptionRow{"snap", &Options::snap, Stage::map, "", 0, 1e6, "6.2", "weight that draws strokes to grid lines (mu)"},
+    OptionRow{"snap-sigma", &Options::snap_sigma, Stage::map, "half-widths", 0.01, 10, "6.2",
               "how far from its centre line a stroke snaps (sigma)"},
-    OptionRow{"damping", &Options::damping, "", 1e-6, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
-    OptionRow{"merge-difference", &Options::merge_difference, "grid units", 0, 10, "6.2",
+    OptionRow{"damping", &Options::damping, Stage::map, "", 1e-6, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
+    OptionRow{"merge-difference", &Options::merge_difference, Stage::map, "grid units", 0, 10, "6.2",
               "corners nearer than this share an integer"},
-    OptionRow{"coverage-bins", &Options::coverage_bins, "", 1, 1000, "6.3", "parts of a chain that must all hold ink"},
-    OptionRow{"tolerance", &Options::tolerance, "strokes", 0.001, 10, "6.3", "largest distance of a curve from its chain"},
-    OptionRow{"threads", &Options::threads, "", 0, 1024, "", "workers, 0 for as many as the machine has; the result is the same"},
+    OptionRow{"coverage-bins", &Options::coverage_bins, Stage::chains, "", 1, 1000, "6.3",
+              "parts of a chain that must all hold ink"},
+    OptionRow{"tolerance", &Options::tolerance, Stage::fit, "strokes", 0.001, 10, "6.3",
+              "largest distance of a curve from its chain"},
+    OptionRow{"threads", &Options::threads, Stage::none, "", 0, 1024, "",
+              "workers, 0 for as many as the machine has; the result is the same"},
 };
 
 // False for what is no number, too.
@@ -74,6 +82,10 @@ const OptionRow& option_row(std::string_view name) {
   return *row;
 }
 
+std::string_view stage_name(Stage stage) {
+  return kStageNames.at(static_cast<std::size_t>(stage));
+}
+
 std::string accepted_values(const OptionRow& row) {
   std::string range = shortest(row.least) + " to " + shortest(row.most);
   if (!row.unit.empty()) range.append(" ").append(row.unit);
@@ -105,6 +117,13 @@ std::string option_text(const Options& options, const OptionRow& row) {
                  [&](std::optional<double> Options::*m) { return options.*m ? shortest(*(options.*m)) : std::string("auto"); },
                  [&](int Options::*m) { return std::to_string(options.*m); }},
       row.member);
+}
+
+Stage first_stage_changed(const Options& before, const Options& after) {
+  Stage first = Stage::none;
+  for (const OptionRow& row : kTable)
+    if (!std::visit([&](auto Options::*m) { return before.*m == after.*m; }, row.member)) first = std::min(first, row.stage);
+  return first;
 }
 
 bool is_default(const Options& options, const OptionRow& row) {

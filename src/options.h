@@ -15,9 +15,16 @@ namespace inkgrid {
 
 using OptionMember = std::variant<Preset Options::*, double Options::*, std::optional<double> Options::*, int Options::*>;
 
+// The stages of the method that an option may enter at, in their order (pipeline.h).
+enum class Stage { ink, band, field, charts, labels, map, isolines, chains, fit, none };
+
+// The name of the stage as progress and Report::seconds tell it; "" for none.
+std::string_view stage_name(Stage stage);
+
 struct OptionRow {
   std::string_view name;  // "mesh-size": --mesh-size on the command line
   OptionMember member;
+  Stage stage;            // the first that reads it: what comes before need not run again when it changes
   std::string_view unit;  // strokes (multiples of the stroke width), half-widths (of a stroke), degrees, grid units, or empty
   double least;           // the range holds both ends
   double most;
@@ -39,6 +46,10 @@ void set_option(Options& options, const OptionRow& row, std::string_view text);
 
 // The shortest text that set_option reads back as the same value.
 std::string option_text(const Options& options, const OptionRow& row);
+
+// The first stage whose options differ; Stage::none where the result is the same.  `auto` differs from every number here: what
+// the drawing decides is known to rerun_stages only.
+Stage first_stage_changed(const Options& before, const Options& after);
 
 bool is_default(const Options& options, const OptionRow& row);
 

@@ -132,6 +132,120 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
   return drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
 }
 
+bool same_pixels(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.grey == b.grey;
+}
+
+bool same_mask(const std::optional<ScaleMask>& a, const std::optional<ScaleMask>& b) {
+  if (!a || !b) return !a && !b;
+  return a->width == b->width && a->height == b->height && a->factor == b->factor;
+}
+
+bool same_ink(const Inputs& a, const Inputs& b) {
+  return same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold;
+}
+
+// What the drawing decides is decided.
+void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
+  const bool known = same_ink(inputs, before) && inputs.options.preset == before.options.preset;
+  Options& settled = inputs.settled = inputs.options;
+  settled.preset = known ? before.settled.preset : choose_preset(inputs.options.preset, ink);
+  const PresetValues values = preset_values(settled.preset);
+  settled.reach = inputs.options.reach.value_or(values.reach);
+  settled.spacing = inputs.options.spacing.value_or(values.spacing);
+}
+
+Stage first_stage_changed(const Inputs& before, const Inputs& now) {
+  if (!same_ink(before, now)) return Stage::ink;
+  Options known = before.settled;
+  known.preset = now.settled.preset;  // it has done its work
+  const Stage changed = first_stage_changed(known, now.settled);
+  return same_mask(before.mask, now.mask) ? changed : std::min(changed, Stage::band);
+}
+
+// What the stages before `first` made.
+void move_kept(Stage first, Stages& from, Stages& to) {
+  const auto move = [&](Stage stage, auto... members) {
+    if (stage < first) ((to.*members = std::move(from.*members)), ...);
+  };
+  move(Stage::ink, &Stages::ink);
+  move(Stage::band, &Stages::mesh);
+  move(Stage::field, &Stages::field);
+  move(Stage::charts, &Stages::charts);
+  move(Stage::labels, &Stages::labels);
+  move(Stage::map, &Stages::map);
+  move(Stage::isolines, &Stages::exact, &Stages::graph);
+  move(Stage::chains, &Stages::chains);
+  move(Stage::fit, &Stages::drawing);
+}
+
+void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control) {
+  const Options& options = stages.inputs.settled;
+  if (first <= Stage::band) {
+    stages.mesh = run("band", 0.1, [&] { return build_band(stages.ink, control.mask, {*options.reach, options.mesh_size}); });
+    report_mesh(stages.mesh, stages.report);
+  }
+  const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
+                                   options.field_rounds};
+  if (first <= Stage::field)
+    stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.ink, field_options, control); });
+  if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
+  if (first <= Stage::labels)
+    stages.labels = run("labels", 0.52, [&] {
+      return label_strokes(stages.mesh, stages.charts, stages.ink, {options.label_length, options.label_ratio});
+    });
+  const GridMapOptions map_options{*options.spacing,         options.snap,   options.snap_sigma, options.damping,
+                                   options.merge_difference, options.threads};
+  if (first <= Stage::map) {
+    stages.map = run("grid map", 0.6, [&] {
+      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, part_of(control, 0.6, 0.9));
+    });
+    report_map(stages.field, stages.charts, stages.map, stages.report);
+  }
+}
+
+Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
+  const Options& options = stages.inputs.settled;
+  Chains chains = run("chains", 0.95, [&] {
+    const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
+    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink);
+  });
+  chains = run("refinement", 0.96,
+               [&] { return refine_on_ink(chains, stages.ink, *options.reach, *options.spacing, options.coverage_bins); });
+  Leftovers leftovers = mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
+  report.warnings.clear();
+  report_leftovers(leftovers, stages.map, report);
+  for (auto& chain : leftovers.chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
+  return std::move(leftovers.chains);
+}
+
+void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
+  if (first <= Stage::isolines) {
+    stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
+    stages.graph = run("isolines", 0.92, [&] {
+      return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
+    });
+  }
+  stages.report.nodes = static_cast<int>(stages.graph.nodes.size());
+  stages.report.edges = static_cast<int>(stages.graph.edges.size());
+  if (first <= Stage::chains) stages.chains = chain_on_ink(stages, stages.report, run);
+  if (first <= Stage::fit) {
+    const double width = stages.ink.stroke_width;
+    const FitOptions fit_options{stages.inputs.settled.tolerance * width, width};
+    stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
+    count_curves(stages.drawing, stages.report);
+  }
+}
+
+void run_from(Stage first, Stages& stages, Stopwatch& run, const Control& control) {
+  const Options& options = stages.inputs.settled;
+  stages.report.preset = options.preset == Preset::rough ? "rough" : "clean";
+  stages.report.reach = *options.reach;
+  stages.report.spacing = *options.spacing;
+  run_to_map(first, stages, run, control);
+  run_from_map(first, stages, run);
+}
+
 }  // namespace
 
 void count_curves(const Drawing& drawing, Report& report) {
@@ -140,65 +254,40 @@ void count_curves(const Drawing& drawing, Report& report) {
   for (const Curve& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
 }
 
-Stages run_stages(const Image& image, const Options& options, const Control& control) {
+void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control) {
   validate(options);
   validate_input(image, control.mask);
-  Stages stages;
-  Report& report = stages.report;
-  Stopwatch run(control, report);
-  stages.drawing.width = image.width;
-  stages.drawing.height = image.height;
-  stages.drawing.pixels_per_mm = image.pixels_per_mm;
-
-  stages.ink = run("ink", 0.0, [&] { return measure_ink(binarise(image, options.threshold)); });
-  report_ink(stages.ink, report);
-  if (stages.ink.pixels == 0) {
-    report.warnings.push_back("the drawing holds no ink: the result is empty");
-    return stages;
+  Stages made;
+  made.inputs = {image, control.mask ? std::optional(*control.mask) : std::nullopt, options, options};
+  const bool known = same_ink(stages.inputs, made.inputs);
+  if (known) made.report = stages.report;
+  made.report.seconds.clear();
+  Stopwatch run(control, made.report);
+  if (!known) {
+    made.ink = run("ink", 0.0, [&] { return measure_ink(binarise(image, options.threshold)); });
+    report_ink(made.ink, made.report);
   }
-  const Preset preset = choose_preset(options.preset, stages.ink);
-  report.preset = preset == Preset::rough ? "rough" : "clean";
-  report.reach = options.reach.value_or(preset_values(preset).reach);
-  report.spacing = options.spacing.value_or(preset_values(preset).spacing);
+  const Ink& ink = known ? stages.ink : made.ink;
+  const bool blank = ink.pixels == 0;
+  if (!blank) settle(made.inputs, stages.inputs, ink);
+  const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
+  move_kept(first, stages, made);
+  try {
+    if (!blank) run_from(first, made, run, control);
+  } catch (...) {
+    move_kept(first, made, stages);
+    throw;
+  }
+  if (blank) made.report.warnings = {"the drawing holds no ink: the result is empty"};
+  made.drawing.width = image.width;
+  made.drawing.height = image.height;
+  made.drawing.pixels_per_mm = image.pixels_per_mm;
+  stages = std::move(made);
+}
 
-  stages.mesh = run("band", 0.1, [&] { return build_band(stages.ink, control.mask, {report.reach, options.mesh_size}); });
-  report_mesh(stages.mesh, report);
-  const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
-                                   options.field_rounds};
-  stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.ink, field_options, control); });
-  stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
-  stages.labels = run("labels", 0.52, [&] {
-    return label_strokes(stages.mesh, stages.charts, stages.ink, {options.label_length, options.label_ratio});
-  });
-  const GridMapOptions map_options{report.spacing,           options.snap,   options.snap_sigma, options.damping,
-                                   options.merge_difference, options.threads};
-  stages.map = run("grid map", 0.6, [&] {
-    return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, part_of(control, 0.6, 0.9));
-  });
-  report_map(stages.field, stages.charts, stages.map, report);
-  stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
-  stages.graph = run("isolines", 0.92, [&] {
-    return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
-  });
-  stages.chains = run("chains", 0.95, [&] {
-    const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
-    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink);
-  });
-  const double width = stages.ink.stroke_width;
-  stages.chains = run("refinement", 0.96, [&] {
-    return refine_on_ink(stages.chains, stages.ink, report.reach, report.spacing, options.coverage_bins);
-  });
-  Leftovers leftovers = mark_leftovers(std::move(stages.chains), stages.ink, std::max(1.0, report.reach * width));
-  stages.chains = std::move(leftovers.chains);
-  report_leftovers(leftovers, stages.map, report);
-  for (auto& chain : stages.chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
-  const FitOptions fit_options{options.tolerance * width, width};
-  Drawing fitted = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
-  stages.drawing.curves = std::move(fitted.curves);
-  stages.drawing.junctions = std::move(fitted.junctions);
-  report.nodes = static_cast<int>(stages.graph.nodes.size());
-  report.edges = static_cast<int>(stages.graph.edges.size());
-  count_curves(stages.drawing, report);
+Stages run_stages(const Image& image, const Options& options, const Control& control) {
+  Stages stages;
+  rerun_stages(stages, image, options, control);
   return stages;
 }
 

@@ -2,12 +2,23 @@
 // Source: section 3, Fig. 3.
 #pragma once
 
+#include <optional>
+
 #include "chains.h"
 #include "exact_map.h"
 #include "fit.h"
 #include "inkgrid/inkgrid.h"
+#include "options.h"
 
 namespace inkgrid {
+
+// What a result is made from.
+struct Inputs {
+  Image image;
+  std::optional<ScaleMask> mask;  // Control::mask
+  Options options;                // as given
+  Options settled;                // as used: preset, reach and spacing decided by the ink
+};
 
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
 struct Stages {
@@ -22,9 +33,15 @@ struct Stages {
   Chains chains;
   Drawing drawing;
   Report report;
+  Inputs inputs;
 };
 
 Stages run_stages(const Image& image, const Options& options, const Control& control);
+
+// The same result as that of run_stages, to the last digit, from the stages of an earlier run (or none), unchanged: only what comes after the
+// first change of the image, the options or the mask runs again, and Report::seconds names only that.  Where it throws, the
+// stages are as they were.
+void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control);
 
 // Puts the numbers of curves and segments into the report.
 void count_curves(const Drawing& drawing, Report& report);

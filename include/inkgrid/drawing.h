@@ -1,6 +1,7 @@
 // The result: a network of cubic Bezier curves, in pixels of the input.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "inkgrid/vec2.h"
@@ -20,6 +21,7 @@ struct Curve {
   double coverage = 0;      // part of its length that lies on ink, 0..1
   int start_junction = -1;  // index into Drawing::junctions, or -1 where the curve ends freely or is closed
   int end_junction = -1;
+  std::uint64_t id = 0;  // tells the curves of a drawing apart, and is the same in another run where the curve runs the same
 };
 
 struct Drawing {
