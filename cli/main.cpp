@@ -14,6 +14,7 @@
 #include "progress.h"
 #include "report_json.h"
 #include "stage_pictures.h"
+#include "studio/studio.h"
 
 namespace inkgrid::cli {
 namespace {
@@ -88,6 +89,7 @@ int vectorize_files(const Arguments& arguments) {
 }
 
 int run(int count, const char* const* words) {
+  if (count > 1 && std::string_view(words[1]) == "studio") return exit_code_of([&] { studio::run(count - 1, words + 1); });
   int code = 0;
   const int failure = exit_code_of([&] {
     const Arguments arguments = parse_arguments(count, words);

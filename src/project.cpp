@@ -10,13 +10,6 @@ std::string missed_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " hand edit" : " hand edits") + " found no curve at the place it is meant for";
 }
 
-void apply_hand_edits(Stages& stages, const std::vector<Edit>& edits) {
-  Edited edited = apply_edits(std::move(stages.drawing), edits);
-  stages.drawing = std::move(edited.drawing);
-  if (!edited.missed.empty()) stages.report.warnings.push_back(missed_text(edited.missed.size()));
-  count_curves(stages.drawing, stages.report);
-}
-
 }  // namespace
 
 Image project_image(const Project& project) {
@@ -32,12 +25,20 @@ std::optional<ScaleMask> project_mask(const Project& project, const Image& image
   return mask;
 }
 
+void apply_hand_edits(std::span<const Edit> edits, Drawing& drawing, Report& report) {
+  if (edits.empty()) return;
+  Edited edited = apply_edits(std::move(drawing), edits);
+  drawing = std::move(edited.drawing);
+  if (!edited.missed.empty()) report.warnings.push_back(missed_text(edited.missed.size()));
+  count_curves(drawing, report);
+}
+
 Stages run_project(const Project& project, const Image& image, const Control& control) {
   const std::optional<ScaleMask> mask = project_mask(project, image);
   Control masked = control;
   masked.mask = mask ? &*mask : nullptr;
   Stages stages = run_stages(image, project.options, masked);
-  if (!project.edits.empty()) apply_hand_edits(stages, project.edits);
+  apply_hand_edits(project.edits, stages.drawing, stages.report);
   return stages;
 }
 

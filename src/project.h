@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,7 +41,10 @@ Image project_image(const Project& project);
 // The mask image, or paper, with the scribbles painted over it; nothing where there is neither.
 std::optional<ScaleMask> project_mask(const Project& project, const Image& image);
 
-// run_stages on the drawing under its mask, then the hand edits; edits that found no curve are a warning in the report.
+// Edits that found no curve are a warning in the report.
+void apply_hand_edits(std::span<const Edit> edits, Drawing& drawing, Report& report);
+
+// run_stages on the drawing under its mask, then the hand edits.
 // `image` is project_image(project); the mask of `control` is not used.
 Stages run_project(const Project& project, const Image& image, const Control& control);
 
