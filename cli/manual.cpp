@@ -11,7 +11,9 @@ constexpr std::string_view kSummary = "line drawings to vector curves";
 constexpr std::string_view kUsage = "inkgrid [OPTION]... DRAWING...";
 constexpr std::string_view kDescription =
     "Finds the curves that the strokes of a drawing follow, joined where they meet, and writes them as SVG beside the drawing. "
-    "A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for standard input.";
+    "A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for standard input. "
+    "inkgrid studio [FILE] opens a page in the browser where the method can be watched and steered; inkgrid studio --help says "
+    "more.";
 constexpr std::string_view kParameters =
     "Lengths in strokes are multiples of the drawing's average stroke width. Sections are those of the paper that the method "
     "follows: Integer-Grid Sketch Simplification and Vectorization, Stanko et al., 2020.";
