@@ -16,14 +16,6 @@ constexpr double kLatticeTurn = 0.2617 * std::numbers::sqrt2;
 // Slits of paper narrower than this times twice the reach are no holes of the band: each would cost a cut.
 constexpr double kFilledHole = 1.25;
 
-// A lattice point as multiples of the two lattice directions.
-struct LatticePoint {
-  int i;
-  int j;
-  friend bool operator==(LatticePoint a, LatticePoint b) { return a.i == b.i && a.j == b.j; }
-  friend bool operator<(LatticePoint a, LatticePoint b) { return a.j != b.j ? a.j < b.j : a.i < b.i; }
-};
-
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
 // Equilateral; the triangle at level n has sides of 2^n units.
@@ -219,6 +211,7 @@ void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice&
   used.erase(std::unique(used.begin(), used.end()), used.end());
   mesh.points.reserve(used.size());
   for (const auto p : used) mesh.points.push_back(lattice.at(p));
+  mesh.lattice = used;
   mesh.faces.reserve(triangles.size());
   for (const auto& t : triangles) {
     std::array<int, 3> face;
@@ -274,6 +267,7 @@ void split_touching_vertices(BandMesh& mesh) {
       } else {
         assigned = mesh.vertex_count();
         mesh.points.push_back(mesh.points[static_cast<std::size_t>(vertex)]);
+        mesh.lattice.push_back(mesh.lattice[static_cast<std::size_t>(vertex)]);
         fan_of_point.push_back(fan);
       }
     }

@@ -13,9 +13,18 @@
 
 namespace inkgrid {
 
+// A point of the finest lattice as multiples of its two directions, which are 60 degrees apart.
+struct LatticePoint {
+  int i;
+  int j;
+  friend bool operator==(LatticePoint a, LatticePoint b) { return a.i == b.i && a.j == b.j; }
+  friend bool operator<(LatticePoint a, LatticePoint b) { return a.j != b.j ? a.j < b.j : a.i < b.i; }
+};
+
 // Halfedge h = 3 f + k runs from faces[f][k] to faces[f][(k + 1) % 3]; faces are positively oriented (cross product > 0, y down).
 struct BandMesh {
   std::vector<Vec2> points;               // px
+  std::vector<LatticePoint> lattice;      // per vertex; empty where the mesh is no lattice
   std::vector<std::array<int, 3>> faces;  // indices into points
   std::vector<int> twins;                 // per halfedge: the halfedge of the neighbour, or -1 on the boundary
   std::vector<int> component;             // per face: its connected component over edges, numbered by smallest face

@@ -1,7 +1,7 @@
 // What:   a PolyVector frame field on the vertices of the band: two directions at every point.
 // Source: section 6.1, "Computation".
 // Differs: docs/METHOD.md, "Frame field".
-// Cost:   one sparse factorisation, then a few preconditioned iterations a re-weighting round.
+// Cost:   one sparse factorisation on a quarter of the vertices, then some preconditioned iterations a re-weighting round.
 #pragma once
 
 #include <complex>

@@ -1,0 +1,227 @@
+#include "numerics/pair_ldl.h"
+
+#include <algorithm>
+
+#include "inkgrid/inkgrid.h"
+#include "numerics/ordering.h"
+
+namespace inkgrid {
+namespace {
+
+// A pivot must keep this part of its diagonal block's determinant.
+constexpr double kPivotTolerance = 1e-14;
+
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Block transposed(const Block& x) {
+  return {x.a, x.c, x.b, x.d};
+}
+
+Block product(const Block& x, const Block& y) {
+  return {x.a * y.a + x.b * y.c, x.a * y.b + x.b * y.d, x.c * y.a + x.d * y.c, x.c * y.b + x.d * y.d};
+}
+
+// sum -= x y'
+void subtract_product(Block& sum, const Block& x, const Block& y) {
+  sum.a -= x.a * y.a + x.b * y.b;
+  sum.b -= x.a * y.c + x.b * y.d;
+  sum.c -= x.c * y.a + x.d * y.b;
+  sum.d -= x.c * y.c + x.d * y.d;
+}
+
+double determinant(const Block& x) {
+  return x.a * x.d - x.b * x.c;
+}
+
+Block inverse(const Block& x) {
+  const double scale = 1 / determinant(x);
+  return {scale * x.d, -scale * x.b, -scale * x.c, scale * x.a};
+}
+
+ComplexPair product(const Block& x, const ComplexPair& v) {
+  return {x.a * v.p + x.b * v.q, x.c * v.p + x.d * v.q};
+}
+
+// sum += sign x v
+void add_product(ComplexPair& sum, double sign, const Block& x, const ComplexPair& v) {
+  sum.p += sign * (x.a * v.p + x.b * v.q);
+  sum.q += sign * (x.c * v.p + x.d * v.q);
+}
+
+// sum += sign x' v
+void add_transposed_product(ComplexPair& sum, double sign, const Block& x, const ComplexPair& v) {
+  sum.p += sign * (x.a * v.p + x.c * v.q);
+  sum.q += sign * (x.b * v.p + x.d * v.q);
+}
+
+// Turns counts, one place ahead, into the starts of lists.
+void accumulate_starts(std::vector<int>& counts) {
+  for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+}
+
+// The strictly lower triangle of a permuted matrix by rows.
+struct Rows {
+  std::vector<int> starts;
+  std::vector<int> columns;
+  std::vector<Block> blocks;
+};
+
+Rows permuted_rows(const PairMatrix& matrix, const std::vector<int>& places) {
+  Rows rows;
+  rows.starts.assign(at(matrix.size()) + 1, 0);
+  const auto for_each_block = [&](auto visit) {
+    for (int j = 0; j < matrix.size(); ++j)
+      for (int k = matrix.starts()[at(j)]; k < matrix.starts()[at(j) + 1]; ++k)
+        visit(places[at(matrix.rows()[at(k)])], places[at(j)], matrix.blocks()[at(k)]);
+  };
+  for_each_block([&](int i, int j, const Block&) { ++rows.starts[at(std::max(i, j)) + 1]; });
+  accumulate_starts(rows.starts);
+  rows.columns.resize(at(rows.starts.back()));
+  rows.blocks.resize(at(rows.starts.back()));
+  std::vector<int> next(rows.starts.begin(), rows.starts.end() - 1);
+  for_each_block([&](int i, int j, const Block& block) {
+    const int k = next[at(std::max(i, j))]++;
+    rows.columns[at(k)] = std::min(i, j);
+    rows.blocks[at(k)] = i > j ? block : transposed(block);
+  });
+  return rows;
+}
+
+// The columns of row k of the factor, each after those that contribute to it; `seen` holds the last row that visited a column.
+class RowPattern {
+ public:
+  RowPattern(const Rows& rows, std::vector<int>& parents)
+      : rows_(rows), parents_(parents), seen_(parents.size(), -1), pattern_(parents.size()) {}
+
+  // Visits the columns of row k that were not visited for it before, from the row's own terms towards the root.
+  template <class Visit>
+  void climb(int k, Visit visit) {
+    seen_[at(k)] = k;
+    for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e)
+      for (int i = rows_.columns[at(e)]; seen_[at(i)] != k; i = parents_[at(i)]) {
+        if (parents_[at(i)] < 0) parents_[at(i)] = k;
+        visit(i);
+        seen_[at(i)] = k;
+      }
+  }
+
+  // Ascending along every path of the tree.
+  const int* begin() const { return pattern_.data() + top_; }
+  const int* end() const { return pattern_.data() + pattern_.size(); }
+
+  void find(int k) {
+    top_ = pattern_.size();
+    seen_[at(k)] = k;
+    for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e) {
+      std::size_t length = 0;
+      for (int i = rows_.columns[at(e)]; seen_[at(i)] != k; i = parents_[at(i)]) {
+        pattern_[length++] = i;
+        seen_[at(i)] = k;
+      }
+      while (length > 0) pattern_[--top_] = pattern_[--length];
+    }
+  }
+
+ private:
+  const Rows& rows_;
+  std::vector<int>& parents_;
+  std::vector<int> seen_;
+  std::vector<int> pattern_;
+  std::size_t top_ = 0;
+};
+
+}  // namespace
+
+PairMatrix::PairMatrix(int size, const std::vector<std::array<int, 2>>& edges) : starts_(at(size) + 1, 0), diagonal_(at(size)) {
+  std::vector<int> first(at(size) + 1, 0), rows(edges.size());
+  for (const auto& [i, j] : edges) ++first[at(std::min(i, j)) + 1];
+  accumulate_starts(first);
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (const auto& [i, j] : edges) rows[at(next[at(std::min(i, j))]++)] = std::max(i, j);
+  for (int j = 0; j < size; ++j) {
+    const auto begin = rows.begin() + first[at(j)], end = rows.begin() + first[at(j) + 1];
+    std::sort(begin, end);
+    rows_.insert(rows_.end(), begin, std::unique(begin, end));
+    starts_[at(j) + 1] = static_cast<int>(rows_.size());
+  }
+  blocks_.resize(rows_.size());
+}
+
+void PairMatrix::add(int i, int j, const Block& block) {
+  if (i == j) {
+    diagonal_[at(i)] += block;
+    return;
+  }
+  int k = starts_[at(std::min(i, j))];
+  while (rows_[at(k)] != std::max(i, j)) ++k;
+  blocks_[at(k)] += i > j ? block : transposed(block);
+}
+
+std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) const {
+  std::vector<ComplexPair> y(x.size());
+  for (int j = 0; j < size(); ++j) {
+    add_product(y[at(j)], 1, diagonal_[at(j)], x[at(j)]);
+    for (int k = starts_[at(j)]; k < starts_[at(j) + 1]; ++k) {
+      add_product(y[at(rows_[at(k)])], 1, blocks_[at(k)], x[at(j)]);
+      add_transposed_product(y[at(j)], 1, blocks_[at(k)], x[at(rows_[at(k)])]);
+    }
+  }
+  return y;
+}
+
+PairLdl::PairLdl(const PairMatrix& matrix) : places_(elimination_places(matrix.starts(), matrix.rows())) {
+  const std::size_t size = places_.size();
+  const Rows rows = permuted_rows(matrix, places_);
+  std::vector<Block> pivots(size);
+  for (std::size_t i = 0; i < size; ++i) pivots[at(places_[i])] = matrix.diagonal()[i];
+  std::vector<int> parents(size, -1);
+  starts_.assign(size + 1, 0);
+  RowPattern counting(rows, parents);
+  for (int k = 0; k < static_cast<int>(size); ++k) counting.climb(k, [&](int i) { ++starts_[at(i) + 1]; });
+  accumulate_starts(starts_);
+  rows_.resize(at(starts_.back()));
+  blocks_.resize(rows_.size());
+  inverse_pivots_.resize(size);
+  std::vector<int> ends(starts_.begin(), starts_.end() - 1);  // of the part of each column that is known
+  std::vector<Block> row(size);
+  RowPattern pattern(rows, parents);
+  for (int k = 0; k < static_cast<int>(size); ++k) {
+    for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e) row[at(rows.columns[at(e)])] = rows.blocks[at(e)];
+    const double whole = determinant(pivots[at(k)]);
+    pattern.find(k);
+    for (const int i : pattern) {
+      const Block term = row[at(i)];
+      row[at(i)] = {};
+      for (int e = starts_[at(i)]; e < ends[at(i)]; ++e) subtract_product(row[at(rows_[at(e)])], term, blocks_[at(e)]);
+      const Block entry = product(term, inverse_pivots_[at(i)]);
+      subtract_product(pivots[at(k)], entry, term);
+      rows_[at(ends[at(i)])] = k;
+      blocks_[at(ends[at(i)]++)] = entry;
+    }
+    if (!(determinant(pivots[at(k)]) > kPivotTolerance * whole) || !(pivots[at(k)].a > 0))
+      throw Error(ErrorCode::numerics, "The matrix of a linear system is not positive definite.");
+    inverse_pivots_[at(k)] = inverse(pivots[at(k)]);
+  }
+}
+
+std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>& right) const {
+  const int size = static_cast<int>(places_.size());
+  std::vector<ComplexPair> y(right.size());
+  for (int i = 0; i < size; ++i) y[at(places_[at(i)])] = right[at(i)];
+  for (int k = 0; k < size; ++k) {
+    const ComplexPair yk = y[at(k)];
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) add_product(y[at(rows_[at(e)])], -1, blocks_[at(e)], yk);
+  }
+  for (int k = size - 1; k >= 0; --k) {
+    ComplexPair yk = product(inverse_pivots_[at(k)], y[at(k)]);
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) add_transposed_product(yk, -1, blocks_[at(e)], y[at(rows_[at(e)])]);
+    y[at(k)] = yk;
+  }
+  std::vector<ComplexPair> x(right.size());
+  for (int i = 0; i < size; ++i) x[at(i)] = y[at(places_[at(i)])];
+  return x;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,69 @@
+// What:   symmetric positive definite systems with two unknowns a node, as 2 x 2 blocks.
+// Source: section 6.1, "Computation"; up-looking factorisation along the elimination tree (Davis 2006, chapter 4).
+// Differs: nothing.
+// Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+namespace inkgrid {
+
+// [a, b; c, d]
+struct Block {
+  double a = 0, b = 0, c = 0, d = 0;
+
+  Block& operator+=(const Block& o) {
+    a += o.a, b += o.b, c += o.c, d += o.d;
+    return *this;
+  }
+  friend Block operator*(double k, const Block& x) { return {k * x.a, k * x.b, k * x.c, k * x.d}; }
+};
+
+// The two unknowns of a node.
+struct ComplexPair {
+  std::complex<double> p, q;
+};
+
+// Symmetric; the diagonal blocks are symmetric themselves.
+class PairMatrix {
+ public:
+  // `edges`: the pairs of different nodes that may have a block, in any order, repeated or not.
+  PairMatrix(int size, const std::vector<std::array<int, 2>>& edges);
+
+  // Adds a block at row i and column j, which implies its transpose at (j, i); where i == j it must be symmetric.
+  void add(int i, int j, const Block& block);
+
+  std::vector<ComplexPair> times(const std::vector<ComplexPair>& x) const;
+
+  int size() const { return static_cast<int>(diagonal_.size()); }
+  const std::vector<int>& starts() const { return starts_; }
+  const std::vector<int>& rows() const { return rows_; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const std::vector<Block>& diagonal() const { return diagonal_; }
+
+ private:
+  std::vector<int> starts_;  // strictly lower triangle, by columns
+  std::vector<int> rows_;    // ascending in each column
+  std::vector<Block> blocks_;
+  std::vector<Block> diagonal_;
+};
+
+// A = P' L D L' P.
+class PairLdl {
+ public:
+  // Throws Error{numerics} where the matrix is not positive definite.
+  explicit PairLdl(const PairMatrix& matrix);
+
+  std::vector<ComplexPair> solve(const std::vector<ComplexPair>& right) const;
+
+ private:
+  std::vector<int> places_;  // of each node in the order of elimination
+  std::vector<int> starts_;  // L by columns, its unit diagonal left out
+  std::vector<int> rows_;
+  std::vector<Block> blocks_;
+  std::vector<Block> inverse_pivots_;
+};
+
+}  // namespace inkgrid

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "inkgrid/inkgrid.h"
+#include "numerics/pair_ldl.h"
+
+namespace inkgrid {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Random positive semidefinite blocks between random nodes, and `shift` on the diagonal; kept as a dense matrix too.
+struct RandomSystem {
+  PairMatrix matrix;
+  std::vector<std::vector<double>> dense;
+
+  RandomSystem(std::mt19937& random, int nodes, int edges, double shift)
+      : RandomSystem(nodes, random_edges(random, nodes, edges), shift) {
+    for (const auto& [i, j] : edges_) add_square(random, i, j);
+  }
+
+ private:
+  RandomSystem(int nodes, std::vector<std::array<int, 2>> edges, double shift)
+      : matrix(nodes, edges),
+        dense(static_cast<std::size_t>(2 * nodes), std::vector<double>(static_cast<std::size_t>(2 * nodes), 0.0)),
+        edges_(std::move(edges)) {
+    for (int i = 0; i < nodes; ++i) add(i, i, {shift, 0, 0, shift});
+  }
+
+  static std::vector<std::array<int, 2>> random_edges(std::mt19937& random, int nodes, int edges) {
+    std::uniform_int_distribution<int> node(0, nodes - 1);
+    std::vector<std::array<int, 2>> result;
+    while (static_cast<int>(result.size()) < edges) {
+      const int i = node(random), j = node(random);
+      if (i != j) result.push_back({i, j});
+    }
+    return result;
+  }
+
+  void add(int i, int j, const Block& b) {
+    matrix.add(i, j, b);
+    const double entries[2][2] = {{b.a, b.b}, {b.c, b.d}};
+    for (int r : {0, 1})
+      for (int c : {0, 1}) {
+        const auto row = static_cast<std::size_t>(2 * i + r), column = static_cast<std::size_t>(2 * j + c);
+        dense[row][column] += entries[r][c];
+        if (i != j) dense[column][row] += entries[r][c];
+      }
+  }
+
+  // (u' x_i + v' x_j)^2
+  void add_square(std::mt19937& random, int i, int j) {
+    std::normal_distribution<double> normal;
+    const double u[2] = {normal(random), normal(random)}, v[2] = {normal(random), normal(random)};
+    add(i, i, {u[0] * u[0], u[0] * u[1], u[0] * u[1], u[1] * u[1]});
+    add(j, j, {v[0] * v[0], v[0] * v[1], v[0] * v[1], v[1] * v[1]});
+    add(i, j, {u[0] * v[0], u[0] * v[1], u[1] * v[0], u[1] * v[1]});
+  }
+
+  std::vector<std::array<int, 2>> edges_;
+};
+
+std::vector<ComplexPair> random_pairs(std::mt19937& random, int size) {
+  std::normal_distribution<double> normal;
+  std::vector<ComplexPair> x(static_cast<std::size_t>(size));
+  for (auto& pair : x) pair = {{normal(random), normal(random)}, {normal(random), normal(random)}};
+  return x;
+}
+
+Complex entry(const std::vector<ComplexPair>& x, std::size_t i) {
+  return i % 2 ? x[i / 2].q : x[i / 2].p;
+}
+
+TEST(PairMatrix, TimesAVectorIsTheDenseProduct) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    const RandomSystem system(random, 15, 30, 0.5);
+    const auto x = random_pairs(random, 15), y = system.matrix.times(x);
+    for (std::size_t i = 0; i < 30; ++i) {
+      Complex expected = 0;
+      for (std::size_t j = 0; j < 30; ++j) expected += system.dense[i][j] * entry(x, j);
+      EXPECT_LT(std::abs(entry(y, i) - expected), 1e-12);
+    }
+  }
+}
+
+TEST(PairLdl, SolvesSparseAndDenseSystems) {
+  std::mt19937 random(4);
+  for (const auto& [nodes, edges] : {std::pair{1, 0}, {2, 1}, {20, 0}, {40, 60}, {300, 500}, {30, 400}}) {
+    const RandomSystem system(random, nodes, edges, 0.3);
+    const auto x = random_pairs(random, nodes);
+    const auto found = PairLdl(system.matrix).solve(system.matrix.times(x));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      EXPECT_LT(std::abs(found[i].p - x[i].p), 1e-9) << nodes << ' ' << edges;
+      EXPECT_LT(std::abs(found[i].q - x[i].q), 1e-9) << nodes << ' ' << edges;
+    }
+  }
+}
+
+TEST(PairLdl, RefusesWhatIsNotPositiveDefinite) {
+  std::mt19937 random(5);
+  const auto refused = [](const PairMatrix& matrix) {
+    try {
+      PairLdl{matrix};
+      return false;
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::numerics;
+    }
+  };
+  EXPECT_TRUE(refused(RandomSystem(random, 10, 3, 0).matrix)) << "singular";
+  EXPECT_TRUE(refused(RandomSystem(random, 10, 12, -0.1).matrix)) << "indefinite";
+  PairMatrix negative(1, {});
+  negative.add(0, 0, {-1, 0, 0, -1});
+  EXPECT_TRUE(refused(negative)) << "negative, with a positive determinant";
+  PairMatrix strange(1, {});
+  strange.add(0, 0, {std::nan(""), 0, 0, 1});
+  EXPECT_TRUE(refused(strange)) << "no number";
+}
+
+}  // namespace
+}  // namespace inkgrid
