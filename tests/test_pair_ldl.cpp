@@ -119,5 +119,18 @@ TEST(PairLdl, RefusesWhatIsNotPositiveDefinite) {
   EXPECT_TRUE(refused(strange)) << "no number";
 }
 
+TEST(PairLdl, KeepsWhatIsHeldWeakly) {
+  PairMatrix matrix(2, {{1, 0}});
+  const double weak = 1e-9;
+  matrix.add(0, 0, {1 + weak, 0, 0, weak});
+  matrix.add(1, 1, {1 + weak, 0, 0, weak});
+  matrix.add(1, 0, {-1, 0, 0, 0});
+  const auto x = PairLdl(matrix).solve({{weak, 2 * weak}, {weak, 3 * weak}});
+  EXPECT_NEAR(x[0].p.real(), 1, 1e-6);
+  EXPECT_NEAR(x[1].p.real(), 1, 1e-6);
+  EXPECT_NEAR(x[0].q.real(), 2, 1e-6);
+  EXPECT_NEAR(x[1].q.real(), 3, 1e-6);
+}
+
 }  // namespace
 }  // namespace inkgrid

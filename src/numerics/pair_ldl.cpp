@@ -8,7 +8,7 @@
 namespace inkgrid {
 namespace {
 
-// A pivot must keep this part of its diagonal block's determinant.
+// A pivot's smaller eigenvalue must exceed this part of the diagonal block's trace: rounding errors are smaller.
 constexpr double kPivotTolerance = 1e-14;
 
 constexpr std::size_t at(int i) {
@@ -33,6 +33,15 @@ void subtract_product(Block& sum, const Block& x, const Block& y) {
 
 double determinant(const Block& x) {
   return x.a * x.d - x.b * x.c;
+}
+
+double trace(const Block& x) {
+  return x.a + x.d;
+}
+
+// The smaller eigenvalue exceeds `least`; both are real, as x is symmetric.
+bool exceeds(const Block& x, double least) {
+  return trace(x) > 0 && determinant(x) > least * trace(x);
 }
 
 Block inverse(const Block& x) {
@@ -189,7 +198,7 @@ PairLdl::PairLdl(const PairMatrix& matrix) : places_(elimination_places(matrix.s
   RowPattern pattern(rows, parents);
   for (int k = 0; k < static_cast<int>(size); ++k) {
     for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e) row[at(rows.columns[at(e)])] = rows.blocks[at(e)];
-    const double whole = determinant(pivots[at(k)]);
+    const double least = kPivotTolerance * trace(pivots[at(k)]);
     pattern.find(k);
     for (const int i : pattern) {
       const Block term = row[at(i)];
@@ -200,7 +209,7 @@ PairLdl::PairLdl(const PairMatrix& matrix) : places_(elimination_places(matrix.s
       rows_[at(ends[at(i)])] = k;
       blocks_[at(ends[at(i)]++)] = entry;
     }
-    if (!(determinant(pivots[at(k)]) > kPivotTolerance * whole) || !(pivots[at(k)].a > 0))
+    if (!exceeds(pivots[at(k)], least))
       throw Error(ErrorCode::numerics, "The matrix of a linear system is not positive definite.");
     inverse_pivots_[at(k)] = inverse(pivots[at(k)]);
   }
