@@ -1,6 +1,8 @@
 #include "manual.h"
 
 #include "arguments.h"
+#include "compare_command.h"
+#include "base/decimal.h"
 #include "inkgrid/inkgrid.h"
 #include "options.h"
 
@@ -14,6 +16,10 @@ constexpr std::string_view kDescription =
     "A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for standard input. "
     "inkgrid studio [FILE] opens a page in the browser where the method can be watched and steered; inkgrid studio --help says "
     "more.";
+constexpr std::string_view kCompareUsage = "inkgrid compare [OPTION]... RESULT.svg TRUTH.svg";
+constexpr std::string_view kCompareDescription =
+    "Measures how near the curves of RESULT are to those of TRUTH and prints the measures, which docs/EVALUATION.md defines. Both "
+    "are SVG files, or - for standard input; RESULT is fitted to the page of TRUTH.";
 constexpr std::string_view kParameters =
     "Lengths in strokes are multiples of the drawing's average stroke width. Sections are those of the paper that the method "
     "follows: Integer-Grid Sketch Simplification and Vectorization, Stanko et al., 2020.";
@@ -33,11 +39,22 @@ struct Entry {
   std::string help;
 };
 
-Entry entry_of(const CommandOption& option) {
+std::string flags_of(const auto& option) {
   std::string flags = option.letter.empty() ? "" : std::string(option.letter) + ", ";
   flags += option.name;
   if (!option.value.empty()) flags.append(" ").append(option.value);
-  return {flags, std::string(option.help)};
+  return flags;
+}
+
+Entry entry_of(const CommandOption& option) {
+  return {flags_of(option), std::string(option.help)};
+}
+
+Entry entry_of(const CompareOption& option) {
+  std::string help(option.help);
+  if (const auto* number = std::get_if<double CompareOptions::*>(&option.member))
+    help += "; default " + decimal(CompareOptions{}.**number, 3);
+  return {flags_of(option), help};
 }
 
 std::string value_name(const OptionRow& row) {
@@ -97,8 +114,14 @@ std::string all_entries(const auto& table, Format format) {
 
 }  // namespace
 
+std::string compare_help_text() {
+  return "Usage: " + std::string(kCompareUsage) + "\n\n" + wrapped(kCompareDescription, 0) + "\n" +
+         all_entries(compare_options(), help_entry);
+}
+
 std::string help_text() {
-  std::string text = "Usage: " + std::string(kUsage) + "\n\n" + wrapped(kDescription, 0) + "\n";
+  std::string text = "Usage: " + std::string(kUsage) + "\n       " + std::string(kCompareUsage) + "\n\n";
+  text += wrapped(kDescription, 0) + "\n";
   text += all_entries(command_options(), help_entry);
   text += "\n" + wrapped("Parameters of the method. " + std::string(kParameters), 0) + "\n";
   text += all_entries(option_table(), help_entry);
@@ -111,9 +134,11 @@ std::string manual_page() {
   std::string text = ".TH INKGRID 1 \"\" \"inkgrid " + std::string(version()) + "\" \"User Commands\"\n";
   text += ".SH NAME\ninkgrid \\- " + roff(kSummary) + "\n";
   text += ".SH SYNOPSIS\n.B inkgrid\n[\\fIOPTION\\fR]... \\fIDRAWING\\fR...\n";
+  text += ".br\n.B inkgrid compare\n[\\fIOPTION\\fR]... \\fIRESULT.svg\\fR \\fITRUTH.svg\\fR\n";
   text += ".SH DESCRIPTION\n" + roff(kDescription) + "\n";
   text += ".SH OPTIONS\n" + all_entries(command_options(), roff_entry);
   text += ".SH PARAMETERS\n" + roff(kParameters) + "\n" + all_entries(option_table(), roff_entry);
+  text += ".SH COMPARE\n" + roff(kCompareDescription) + "\n" + all_entries(compare_options(), roff_entry);
   text += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : kExitStatus) text += roff_entry({std::string(code), std::string(meaning)});
   text += ".SH EXAMPLES\n.nf\n" + roff("inkgrid drawing.png\ninkgrid sketch.jpg --preset rough --spacing 3 -o curves.svg\n") +
