@@ -91,9 +91,9 @@ int vectorize_files(const Arguments& arguments) {
 
 int run(int count, const char* const* words) {
   if (count > 1 && std::string_view(words[1]) == "studio") return exit_code_of([&] { studio::run(count - 1, words + 1); });
+  if (count > 1 && words[1] == kCompareCommand) return exit_code_of([&] { run_compare(count - 1, words + 1); });
   int code = 0;
   const int failure = exit_code_of([&] {
-    if (count > 1 && words[1] == kCompareCommand) return run_compare(count - 1, words + 1);
     const Arguments arguments = parse_arguments(count, words);
     if (arguments.help)
       write_file("-", help_text());

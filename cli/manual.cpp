@@ -1,8 +1,8 @@
 #include "manual.h"
 
 #include "arguments.h"
-#include "compare_command.h"
 #include "base/decimal.h"
+#include "compare_command.h"
 #include "inkgrid/inkgrid.h"
 #include "options.h"
 
@@ -18,7 +18,8 @@ constexpr std::string_view kDescription =
     "more.";
 constexpr std::string_view kCompareUsage = "inkgrid compare [OPTION]... RESULT.svg TRUTH.svg";
 constexpr std::string_view kCompareDescription =
-    "Measures how near the curves of RESULT are to those of TRUTH and prints the measures, which docs/EVALUATION.md defines. Both "
+    "Measures how near the curves of RESULT are to those of TRUTH and prints the measures, which docs/EVALUATION.md defines. "
+    "Both "
     "are SVG files, or - for standard input; RESULT is fitted to the page of TRUTH.";
 constexpr std::string_view kParameters =
     "Lengths in strokes are multiples of the drawing's average stroke width. Sections are those of the paper that the method "

@@ -228,20 +228,22 @@ class Manual(CommandTest):
         lines = self.succeed('--man').stdout.decode().splitlines()
         self.assertRegex(lines[0], r'^\.TH INKGRID 1 ')
         sections = [line[4:] for line in lines if line.startswith('.SH ')]
-        self.assertEqual(sections, ['NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS', 'PARAMETERS', 'EXIT STATUS', 'EXAMPLES'])
+        self.assertEqual(sections, ['NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS', 'PARAMETERS', 'COMPARE', 'EXIT STATUS', 'EXAMPLES'])
         self.assertEqual(lines[lines.index('.SH NAME') + 1].split()[:2], ['inkgrid', '\\-'])
         for line in lines:
             if line.startswith('.'):
-                self.assertIn(line.split()[0], ('.TH', '.SH', '.TP', '.B', '.nf', '.fi'))
+                self.assertIn(line.split()[0], ('.TH', '.SH', '.TP', '.B', '.br', '.nf', '.fi'))
             self.assertNotIn("'", line[:1])
 
     def test_describes_every_option_as_the_help_does(self):
         page = self.succeed('--man').stdout.decode().replace('\\-', '-')
-        described = re.findall(r'(?m)^\.TP\n\.B (-.*)\n(.*)\.$', page)
-        text = ' '.join(self.succeed('--help').stdout.decode().split())
-        self.assertEqual(len(described), len(TABLE) + 8)
-        for flags, meaning in described:
-            self.assertIn('%s %s' % (flags, meaning), text)
+        method, compare = page.split('.SH COMPARE')
+        for part, command, count in ((method, ('--help',), len(TABLE) + 8), (compare, ('compare', '--help'), 5)):
+            described = re.findall(r'(?m)^\.TP\n\.B (-.*)\n(.*)\.$', part)
+            text = ' '.join(self.succeed(*command).stdout.decode().split())
+            self.assertEqual(len(described), count)
+            for flags, meaning in described:
+                self.assertIn('%s %s' % (flags, meaning), text)
 
 
 class Progress(CommandTest):
