@@ -3,15 +3,23 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "base/overloaded.h"
 #include "inkgrid/inkgrid.h"
-#include "options.h"
 
 namespace inkgrid::cli {
 namespace {
 
 constexpr std::array kCommandOptions{
-    CommandOption{"-o", "--output", "FILE", &Arguments::output,
-                  "write the curves to FILE, into FILE if it is a directory, or to standard output if it is -"},
+    CommandOption{"-o", "--output", "FILE", &Arguments::outputs,
+                  "write the curves to FILE, into FILE if it is a directory, or to standard output if it is -; may be given "
+                  "several times"},
+    CommandOption{"", "--format", "NAME", &Arguments::format,
+                  "the format of what is written, whatever the extension of FILE says"},
+    CommandOption{
+        "", "--project", "FILE", &Arguments::project,
+        "take drawing, mask, scribbles, options and hand edits from FILE; what else is given comes before what it holds"},
+    CommandOption{"", "--save-project", "FILE", &Arguments::save_project,
+                  "write drawing, mask, options and what else there is to FILE, to go on from there"},
     CommandOption{"", "--mask", "FILE", &Arguments::mask,
                   "an image of the drawing's size: less simplification under purple scribbles, more under orange ones"},
     CommandOption{"", "--report", "FILE", &Arguments::report, "write what was measured, chosen and counted to FILE, as JSON"},
@@ -25,16 +33,21 @@ constexpr std::array kCommandOptions{
 
 void add_command_option(CLI::App& app, Arguments& arguments, const CommandOption& option) {
   const std::string names = (option.letter.empty() ? "" : std::string(option.letter) + ",") + std::string(option.name);
-  if (const auto* text = std::get_if<std::string Arguments::*>(&option.member))
-    app.add_option(names, arguments.**text);
-  else
-    app.add_flag(names, arguments.*std::get<bool Arguments::*>(option.member));
+  std::visit(
+      Overloaded{[&](std::string Arguments::*m) { app.add_option(names, arguments.*m); },
+                 [&](std::vector<std::string> Arguments::*m) { app.add_option(names, arguments.*m)->allow_extra_args(false); },
+                 [&](bool Arguments::*m) { app.add_flag(names, arguments.*m); }},
+      option.member);
 }
 
 }  // namespace
 
 std::span<const CommandOption> command_options() {
   return kCommandOptions;
+}
+
+void apply_given(const Arguments& arguments, Options& options) {
+  for (const auto& [row, text] : arguments.given) set_option(options, *row, text);
 }
 
 Arguments parse_arguments(int count, const char* const* words) {
@@ -44,13 +57,20 @@ Arguments parse_arguments(int count, const char* const* words) {
   app.add_option("DRAWING", arguments.drawings);
   for (const CommandOption& option : kCommandOptions) add_command_option(app, arguments, option);
   for (const OptionRow& row : option_table())
+    app.add_option_function<std::string>("--" + std::string(row.name), [&](const std::string& text) {
+      Options checked;
+      set_option(checked, row, text);
+      arguments.given.emplace_back(&row, text);
+    });
+  for (const ExportOptionRow& row : export_option_table())
     app.add_option_function<std::string>("--" + std::string(row.name),
-                                         [&](const std::string& text) { set_option(arguments.options, row, text); });
+                                         [&](const std::string& text) { set_option(arguments.export_options, row, text); });
   try {
     app.parse(count, words);
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorCode::usage, std::string(error.what()) + " (see inkgrid --help)");
   }
+  if (!arguments.format.empty()) export_format(arguments.format);
   return arguments;
 }
 

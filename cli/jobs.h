@@ -9,12 +9,18 @@
 
 namespace inkgrid::cli {
 
-struct Job {
-  std::string drawing;  // "-" is standard input
-  std::string output;   // "-" is standard output
+struct Output {
+  std::string path;  // "-" is standard output
+  const ExportFormat* format;
 };
 
-// One job a drawing.  Throws Error{usage} when there is no drawing, or two files of the run are one.
+struct Job {
+  std::string source;  // a drawing or a project; "-" is standard input
+  std::vector<Output> outputs;
+};
+
+// One job a drawing, or one for the project.  Throws Error{usage} when there is neither, two files of the run are one, or an
+// extension names no format.
 std::vector<Job> plan_jobs(const Arguments& arguments);
 
 }  // namespace inkgrid::cli

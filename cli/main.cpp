@@ -1,18 +1,17 @@
 // inkgrid: the program.  Reads drawings, runs the method, writes curves; everything it says of itself goes to standard error.
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
-#include <optional>
 
 #include "arguments.h"
 #include "compare_command.h"
-#include "export/export.h"
 #include "files.h"
 #include "image_io.h"
 #include "jobs.h"
 #include "manual.h"
-#include "pipeline.h"
 #include "progress.h"
+#include "project.h"
 #include "report_json.h"
 #include "stage_pictures.h"
 #include "studio/studio.h"
@@ -24,38 +23,71 @@ void say(const std::string& sentence) {
   std::fprintf(stderr, "inkgrid: %s\n", sentence.c_str());
 }
 
-Image read_drawing(const std::string& path) {
-  return decode_image(read_bytes(path), path == "-" ? "standard input" : path);
+std::string shown(const std::string& path) {
+  return path == "-" ? "standard input" : path;
 }
 
-std::optional<ScaleMask> read_mask(const std::string& path) {
-  if (path.empty()) return std::nullopt;
-  return decode_mask(read_bytes(path), path == "-" ? "standard input" : path);
+// The project, or what makes one of a drawing, with what else was given.
+Project read_project(const Arguments& arguments, const Job& job) {
+  Project project;
+  if (arguments.project.empty())
+    project.drawing = {shown(job.source), read_bytes(job.source)};
+  else
+    project = parse_project(read_bytes(arguments.project), shown(arguments.project));
+  if (!arguments.mask.empty()) project.mask = ImageFile{shown(arguments.mask), read_bytes(arguments.mask)};
+  apply_given(arguments, project.options);
+  return project;
 }
 
-Stages run_with_progress(const Image& image, const Options& options, const std::optional<ScaleMask>& mask) {
+// Says which project is meant where a file in it is not what it should be.
+template <class Action>
+auto inside_project(const Arguments& arguments, Action action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    if (arguments.project.empty() || error.code() != ErrorCode::file) throw;
+    throw Error(error.code(), "'" + shown(arguments.project) + "': " + error.what());
+  }
+}
+
+Stages run_with_progress(const Project& project, const Image& image) {
   Progress progress;
   Control control;
-  control.mask = mask ? &*mask : nullptr;
   control.progress = [&](const char* stage, double fraction) { progress.show(stage, fraction); };
-  return run_stages(image, options, control);
+  return run_project(project, image, control);
 }
 
-void tell(const Arguments& arguments, const Report& report) {
+void tell(const Arguments& arguments, const Options& options, const Report& report) {
   if (arguments.quiet) return;
-  if (arguments.options.preset == Preset::automatic && !report.preset.empty()) say(choice_text(report));
+  if (options.preset == Preset::automatic && !report.preset.empty()) say(choice_text(report));
   for (const std::string& warning : report.warnings) say(warning);
 }
 
-void vectorize_file(const Arguments& arguments, const Job& job) {
-  const Image image = read_drawing(job.drawing);
-  const std::optional<ScaleMask> mask = read_mask(arguments.mask);
-  const Stages stages = run_with_progress(image, arguments.options, mask);
-  tell(arguments, stages.report);
+// Nothing is written before all formats are made.
+void write_outputs(const Arguments& arguments, const Job& job, const Drawing& drawing, const std::string& description) {
+  std::vector<std::string> contents;
+  for (const Output& output : job.outputs)
+    contents.push_back(export_drawing(drawing, *output.format, arguments.export_options, description));
+  for (std::size_t i = 0; i < contents.size(); ++i) write_file(job.outputs[i].path, contents[i]);
+}
+
+// Without the directories of this machine.
+std::string portable_text(Project project) {
+  const auto shorten = [](std::string& name) { name = std::filesystem::path(name).filename().string(); };
+  shorten(project.drawing.name);
+  if (project.mask) shorten(project.mask->name);
+  return project_text(project);
+}
+
+void do_job(const Arguments& arguments, const Job& job) {
+  const Project project = read_project(arguments, job);
+  const Image image = inside_project(arguments, [&] { return project_image(project); });
+  const Stages stages = inside_project(arguments, [&] { return run_with_progress(project, image); });
+  tell(arguments, project.options, stages.report);
   if (!arguments.stages.empty()) write_stage_pictures(arguments.stages, image, stages);
-  if (!arguments.report.empty()) write_file(arguments.report, report_json(arguments.options, stages.report));
-  write_file(job.output,
-             export_drawing(stages.drawing, export_formats().front(), {}, run_description(arguments.options, stages.report)));
+  if (!arguments.report.empty()) write_file(arguments.report, report_json(project.options, stages.report));
+  if (!arguments.save_project.empty()) write_file(arguments.save_project, portable_text(project));
+  write_outputs(arguments, job, stages.drawing, run_description(project.options, stages.report));
 }
 
 // The exit code of what `action` does: 0, or that of the error it ended with, told in one sentence.
@@ -76,14 +108,16 @@ int exit_code_of(Action action) {
 }
 
 // Drawings after one that fails are still made; the exit code is that of the first failure.
-int vectorize_files(const Arguments& arguments) {
+int do_jobs(const Arguments& arguments) {
   const std::vector<Job> jobs = plan_jobs(arguments);
-  for (const Job& job : jobs) check_writable(job.output);
-  if (!arguments.report.empty()) check_writable(arguments.report);
+  for (const Job& job : jobs)
+    for (const Output& output : job.outputs) check_writable(output.path);
+  for (const std::string& path : {arguments.report, arguments.save_project})
+    if (!path.empty()) check_writable(path);
   if (!arguments.stages.empty()) check_writable_directory(arguments.stages);
   int first_failure = 0;
   for (const Job& job : jobs) {
-    const int code = exit_code_of([&] { vectorize_file(arguments, job); });
+    const int code = exit_code_of([&] { do_job(arguments, job); });
     if (first_failure == 0) first_failure = code;
   }
   return first_failure;
@@ -102,7 +136,7 @@ int run(int count, const char* const* words) {
     else if (arguments.man)
       write_file("-", manual_page());
     else
-      code = vectorize_files(arguments);
+      code = do_jobs(arguments);
   });
   return failure != 0 ? failure : code;
 }

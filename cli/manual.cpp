@@ -12,10 +12,11 @@ namespace {
 constexpr std::string_view kSummary = "line drawings to vector curves";
 constexpr std::string_view kUsage = "inkgrid [OPTION]... DRAWING...";
 constexpr std::string_view kDescription =
-    "Finds the curves that the strokes of a drawing follow, joined where they meet, and writes them as SVG beside the drawing. "
-    "A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for standard input. "
-    "inkgrid studio [FILE] opens a page in the browser where the method can be watched and steered; inkgrid studio --help says "
-    "more.";
+    "Finds the curves that the strokes of a drawing follow, joined where they meet, and writes them beside the drawing, as SVG "
+    "or in the format that the extension of the output names. A drawing is a PNG, JPEG, TIFF, WebP, BMP or PNM file, or - for "
+    "standard input. inkgrid studio [FILE] opens a page in the browser where the method can be watched and steered; "
+    "inkgrid studio --help says more.";
+constexpr std::string_view kFormats = "The extension of an output, or --format, is one of:";
 constexpr std::string_view kCompareUsage = "inkgrid compare [OPTION]... RESULT.svg TRUTH.svg";
 constexpr std::string_view kCompareDescription =
     "Measures how near the curves of RESULT are to those of TRUTH and prints the measures, which docs/EVALUATION.md defines. "
@@ -67,6 +68,21 @@ Entry entry_of(const OptionRow& row) {
   std::string help = std::string(row.help) + "; " + accepted_values(row) + "; default " + option_text(Options{}, row);
   if (!row.section.empty()) help.append("; section ").append(row.section);
   return {"--" + std::string(row.name) + " " + value_name(row), help};
+}
+
+std::string value_name(const ExportOptionRow& row) {
+  const bool chosen = std::holds_alternative<LengthUnit ExportOptions::*>(row.member) ||
+                      std::holds_alternative<DxfCurves ExportOptions::*>(row.member);
+  return chosen ? "NAME" : "NUMBER";
+}
+
+Entry entry_of(const ExportOptionRow& row) {
+  return {"--" + std::string(row.name) + " " + value_name(row),
+          std::string(row.help) + "; " + accepted_values(row) + "; default " + option_text(ExportOptions{}, row)};
+}
+
+Entry entry_of(const ExportFormat& format) {
+  return {std::string(format.name), std::string(format.help)};
 }
 
 // Broken between words, each line indented.
@@ -124,6 +140,8 @@ std::string help_text() {
   std::string text = "Usage: " + std::string(kUsage) + "\n       " + std::string(kCompareUsage) + "\n\n";
   text += wrapped(kDescription, 0) + "\n";
   text += all_entries(command_options(), help_entry);
+  text += "\n" + wrapped("Formats. " + std::string(kFormats), 0) + "\n";
+  text += all_entries(export_formats(), help_entry) + all_entries(export_option_table(), help_entry);
   text += "\n" + wrapped("Parameters of the method. " + std::string(kParameters), 0) + "\n";
   text += all_entries(option_table(), help_entry);
   text += "\nExit status:\n";
@@ -138,12 +156,15 @@ std::string manual_page() {
   text += ".br\n.B inkgrid compare\n[\\fIOPTION\\fR]... \\fIRESULT.svg\\fR \\fITRUTH.svg\\fR\n";
   text += ".SH DESCRIPTION\n" + roff(kDescription) + "\n";
   text += ".SH OPTIONS\n" + all_entries(command_options(), roff_entry);
+  text += ".SH FORMATS\n" + roff(kFormats) + "\n" + all_entries(export_formats(), roff_entry) +
+          all_entries(export_option_table(), roff_entry);
   text += ".SH PARAMETERS\n" + roff(kParameters) + "\n" + all_entries(option_table(), roff_entry);
   text += ".SH COMPARE\n" + roff(kCompareDescription) + "\n" + all_entries(compare_options(), roff_entry);
   text += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : kExitStatus) text += roff_entry({std::string(code), std::string(meaning)});
   text += ".SH EXAMPLES\n.nf\n" + roff("inkgrid drawing.png\ninkgrid sketch.jpg --preset rough --spacing 3 -o curves.svg\n") +
-          roff("scanimage --format=png | inkgrid - > curves.svg\n") + ".fi\n";
+          roff("inkgrid drawing.png -o cut.dxf -o print.pdf --unit mm\nscanimage --format=png | inkgrid - > curves.svg\n") +
+          ".fi\n";
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/decimal.h"
 #include "base/overloaded.h"
@@ -12,23 +13,27 @@ namespace inkgrid {
 namespace {
 
 constexpr std::array kFormats{
-    ExportFormat{"svg", "image/svg+xml", "curves with a stroke width each, for Inkscape, browsers and most other programs",
-                 svg_text},
+    ExportFormat{"svg", "image/svg+xml", "a path a curve, for drawing programs and browsers", svg_text},
+    ExportFormat{"pdf", "application/pdf", "one page of the drawing's size, for print", pdf_text},
+    ExportFormat{"eps", "application/postscript", "the same as Encapsulated PostScript", eps_text},
+    ExportFormat{"dxf", "image/vnd.dxf", "a polyline or spline a curve, for cutters, plotters and CAD; no widths", dxf_text},
     ExportFormat{"json", "application/json", "curves, junctions and what was measured, to the last digit, for programs",
                  graph_json},
+    ExportFormat{"png", "image/png", "the curves as pixels, black on white", png_bytes},
 };
 
 constexpr std::array kTable{
     ExportOptionRow{"unit", &ExportOptions::unit, "", 0, 0,
-                    "of sizes and coordinates; auto is mm where the resolution is known and px elsewhere"},
+                    "unit of sizes and coordinates; auto is mm where the resolution is known, px elsewhere"},
     ExportOptionRow{"resolution", &ExportOptions::resolution, "auto", 1, 1e5,
-                    "pixels an inch; auto is what the drawing's file says, or 96 where it says nothing"},
-    ExportOptionRow{"stroke-width", &ExportOptions::stroke_width, "measured", 0, 1e5, "of all curves, in the unit"},
+                    "pixels of the drawing an inch; auto is what its file says, or 96 where it says nothing"},
+    ExportOptionRow{"stroke-width", &ExportOptions::stroke_width, "measured", 1e-3, 1e5,
+                    "width of all curves, in the unit; not in JSON and DXF"},
     ExportOptionRow{"dxf-curves", &ExportOptions::dxf_curves, "", 0, 0,
-                    "DXF: polylines for every reader (R12), or exact splines (2000)"},
+                    "of DXF: polylines, which every reader knows (R12), or splines, which are exact (2000)"},
     ExportOptionRow{"flatness", &ExportOptions::flatness, "", 1e-3, 100,
-                    "DXF: largest distance of a polyline from its curve, px"},
-    ExportOptionRow{"png-scale", &ExportOptions::png_scale, "", 0.01, 100, "PNG: its pixels for a pixel of the drawing"},
+                    "of DXF: largest distance of a polyline from its curve, px"},
+    ExportOptionRow{"png-scale", &ExportOptions::png_scale, "", 0.01, 100, "of PNG: its pixels for a pixel of the drawing"},
 };
 
 constexpr std::array kUnitNames{"auto", "mm", "inch", "px"};
@@ -84,6 +89,27 @@ void validate(const ExportOptions& options) {
                row.member);
 }
 
+void check(double value) {
+  constexpr double kLargest = 1e9;
+  if (!(std::abs(value) < kLargest)) throw Error(ErrorCode::numerics, "a curve has a coordinate that is no number");
+}
+
+void check(Vec2 p) {
+  check(p.x);
+  check(p.y);
+}
+
+// No writer meets what is no number.
+void check(const Drawing& drawing) {
+  for (const Vec2 p : drawing.junctions) check(p);
+  for (const Curve& curve : drawing.curves) {
+    check(curve.width);
+    check(curve.coverage);
+    for (const Cubic& c : curve.segments)
+      for (const Vec2 p : {c.p0, c.p1, c.p2, c.p3}) check(p);
+  }
+}
+
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
@@ -106,6 +132,7 @@ const ExportFormat& export_format(std::string_view name) {
 std::string export_drawing(const Drawing& drawing, const ExportFormat& format, const ExportOptions& options,
                            const std::string& description) {
   validate(options);
+  check(drawing);
   return format.write(drawing, options, description);
 }
 

@@ -64,10 +64,8 @@ std::span<const ExportOptionRow> export_option_table();
 // What may be given: "a number from 0 to 10".
 std::string accepted_values(const ExportOptionRow& row);
 
-// Throws Error{usage}, and leaves the options alone, unless the text is one of the accepted values.
+// As set_option and option_text of options.h.
 void set_option(ExportOptions& options, const ExportOptionRow& row, std::string_view text);
-
-// The shortest text that set_option reads back as the same value.
 std::string option_text(const ExportOptions& options, const ExportOptionRow& row);
 
 }  // namespace inkgrid

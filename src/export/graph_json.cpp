@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json point_json(Vec2 p) {
-  return {checked(p.x), checked(p.y)};
+  return {p.x, p.y};
 }
 
 // Counted from 1, as in the ids of the SVG; null for none.
@@ -24,8 +24,8 @@ Json curve_json(const Curve& curve, int id) {
     for (const Vec2 p : {c.p1, c.p2, c.p3}) points.push_back(point_json(p));
   return {{"id", id},
           {"closed", curve.closed},
-          {"width", checked(curve.width)},
-          {"coverage", checked(curve.coverage)},
+          {"width", curve.width},
+          {"coverage", curve.coverage},
           {"start", junction_json(curve.start_junction)},
           {"end", junction_json(curve.end_junction)},
           {"points", std::move(points)}};

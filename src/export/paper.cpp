@@ -1,17 +1,11 @@
 #include "export/paper.h"
 
-#include <cmath>
-
-#include "base/decimal.h"
-#include "inkgrid/inkgrid.h"
-
 namespace inkgrid {
 namespace {
 
 constexpr double kInch = 25.4;    // mm
 constexpr double kPoint = 72;     // an inch
 constexpr double kCssPixel = 96;  // an inch
-constexpr double kLargest = 1e9;
 
 }  // namespace
 
@@ -38,15 +32,6 @@ Paper paper_of(const Drawing& drawing, const ExportOptions& options) {
 double stroke_width(const Curve& curve, const ExportOptions& options, const Paper& paper) {
   if (options.stroke_width) return *options.stroke_width / paper.units_a_pixel;
   return curve.width > 0 ? curve.width : 1;
-}
-
-double checked(double value) {
-  if (!(std::abs(value) < kLargest)) throw Error(ErrorCode::numerics, "a curve has a coordinate that is no number");
-  return value;
-}
-
-std::string coordinate(double value, int places) {
-  return decimal(checked(value), places);
 }
 
 }  // namespace inkgrid

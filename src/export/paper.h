@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/decimal.h"
 #include "export/export.h"
 
 namespace inkgrid {
@@ -24,10 +25,9 @@ Paper paper_of(const Drawing& drawing, const ExportOptions& options);
 // px; that of an unknown width is 1.
 double stroke_width(const Curve& curve, const ExportOptions& options, const Paper& paper);
 
-// The value.  Throws Error{numerics} for what is no number or absurdly large.
-double checked(double value);
-
-// The same as a decimal without trailing zeros.
-std::string coordinate(double value, int places = 3);
+// px, to a thousandth.
+inline std::string coordinate(double value) {
+  return decimal(value, 3);
+}
 
 }  // namespace inkgrid

@@ -32,8 +32,15 @@ std::string escaped(const std::string& text) {
 }
 
 std::string length(double pixels, const Paper& paper) {
-  const char* suffix = paper.unit == LengthUnit::millimetres ? "mm" : paper.unit == LengthUnit::inches ? "in" : "";
-  return coordinate(pixels * paper.units_a_pixel) + suffix;
+  const double value = pixels * paper.units_a_pixel;
+  switch (paper.unit) {
+    case LengthUnit::millimetres:
+      return coordinate(value) + "mm";
+    case LengthUnit::inches:
+      return decimal(value, 5) + "in";
+    default:
+      return coordinate(value);
+  }
 }
 
 std::string opening_tag(const Drawing& drawing, const Paper& paper) {

@@ -16,6 +16,10 @@ TABLE = {
     'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'coverage-bins': 4, 'threads': 0,
 }
 
+FORMAT_OPTIONS = {'unit': 'auto', 'resolution': 'auto', 'stroke-width': 'measured', 'dxf-curves': 'polylines', 'flatness': 0.05,
+                  'png-scale': 1}
+PROGRAM_OPTIONS = ['output', 'format', 'project', 'save-project', 'mask', 'report', 'stages', 'quiet', 'help', 'version', 'man']
+
 
 class Outputs(CommandTest):
     def setUp(self):
@@ -207,9 +211,9 @@ class Mask(CommandTest):
 class Help(CommandTest):
     def test_lists_every_option(self):
         text = self.succeed('--help').stdout.decode()
-        for name in [*TABLE, 'output', 'mask', 'report', 'stages', 'quiet', 'help', 'version', 'man']:
+        for name in [*TABLE, *FORMAT_OPTIONS, *PROGRAM_OPTIONS]:
             self.assertRegex(text, r'(?m)^  (-\w, )?--%s\b' % name)
-        for name, default in TABLE.items():
+        for name, default in [*TABLE.items(), *FORMAT_OPTIONS.items()]:
             entry = re.search(r'(?ms)^  --%s\b.*?(?=^  --|^\S)' % name, text).group(0)
             self.assertIn('default %s' % default, ' '.join(entry.split()))
 
@@ -228,7 +232,8 @@ class Manual(CommandTest):
         lines = self.succeed('--man').stdout.decode().splitlines()
         self.assertRegex(lines[0], r'^\.TH INKGRID 1 ')
         sections = [line[4:] for line in lines if line.startswith('.SH ')]
-        self.assertEqual(sections, ['NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS', 'PARAMETERS', 'COMPARE', 'EXIT STATUS', 'EXAMPLES'])
+        self.assertEqual(sections, ['NAME', 'SYNOPSIS', 'DESCRIPTION', 'OPTIONS', 'FORMATS', 'PARAMETERS', 'COMPARE', 'EXIT STATUS',
+                                    'EXAMPLES'])
         self.assertEqual(lines[lines.index('.SH NAME') + 1].split()[:2], ['inkgrid', '\\-'])
         for line in lines:
             if line.startswith('.'):
@@ -238,7 +243,8 @@ class Manual(CommandTest):
     def test_describes_every_option_as_the_help_does(self):
         page = self.succeed('--man').stdout.decode().replace('\\-', '-')
         method, compare = page.split('.SH COMPARE')
-        for part, command, count in ((method, ('--help',), len(TABLE) + 8), (compare, ('compare', '--help'), 5)):
+        options = len(TABLE) + len(FORMAT_OPTIONS) + len(PROGRAM_OPTIONS)
+        for part, command, count in ((method, ('--help',), options), (compare, ('compare', '--help'), 5)):
             described = re.findall(r'(?m)^\.TP\n\.B (-.*)\n(.*)\.$', part)
             text = ' '.join(self.succeed(*command).stdout.decode().split())
             self.assertEqual(len(described), count)
