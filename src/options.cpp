@@ -6,6 +6,7 @@
 #include "base/decimal.h"
 #include "base/overloaded.h"
 #include "inkgrid/inkgrid.h"
+#include "slim.h"
 
 namespace inkgrid {
 namespace {
@@ -123,7 +124,8 @@ Stage first_stage_changed(const Options& before, const Options& after) {
   Stage first = Stage::none;
   for (const OptionRow& row : kTable)
     if (!std::visit([&](auto Options::*m) { return before.*m == after.*m; }, row.member)) first = std::min(first, row.stage);
-  return first;
+  const bool same_slim = slim_share(before.spacing.value_or(1)) == slim_share(after.spacing.value_or(1));
+  return same_slim ? first : std::min(first, Stage::band);
 }
 
 bool is_default(const Options& options, const OptionRow& row) {

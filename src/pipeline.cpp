@@ -112,11 +112,22 @@ Resolution resolution_of(double spacing, double width) {
   return {half * width, half, half + 0.5, link, 2.5 * link};
 }
 
+RidgeOptions ridge_options(double width, double reach, double spacing) {
+  return {std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width};
+}
+
+// Slimmed strokes get the widths that they were drawn with.
+Chains with_drawn_widths(Chains chains, const Ink& ink, double reach, double spacing) {
+  const auto drawn = follow_ridges(chains.chains, ink, ridge_options(ink.stroke_width, reach, spacing));
+  for (std::size_t c = 0; c < drawn.size(); ++c) chains.chains[c].width = drawn[c].chain.width;
+  return chains;
+}
+
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
 Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double spacing, int bins) {
   const double width = ink.stroke_width;
   const Resolution resolution = resolution_of(spacing, width);
-  const RidgeOptions ridge{std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width};
+  const RidgeOptions ridge = ridge_options(width, reach, spacing);
   const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
   const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
     Chains to{from.junctions, {}};
@@ -150,7 +161,7 @@ void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
   const bool known = same_ink(inputs, before) && inputs.options.preset == before.options.preset;
   Options& settled = inputs.settled = inputs.options;
   settled.preset = known ? before.settled.preset : choose_preset(inputs.options.preset, ink);
-  const PresetValues values = preset_values(settled.preset);
+  const PresetValues values = preset_values(settled.preset, ink.stroke_width);
   settled.reach = inputs.options.reach.value_or(values.reach);
   settled.spacing = inputs.options.spacing.value_or(values.spacing);
 }
@@ -169,7 +180,7 @@ void move_kept(Stage first, Stages& from, Stages& to) {
     if (stage < first) ((to.*members = std::move(from.*members)), ...);
   };
   move(Stage::ink, &Stages::ink);
-  move(Stage::band, &Stages::mesh);
+  move(Stage::band, &Stages::slim, &Stages::mesh);
   move(Stage::field, &Stages::field);
   move(Stage::charts, &Stages::charts);
   move(Stage::labels, &Stages::labels);
@@ -179,26 +190,37 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   move(Stage::fit, &Stages::drawing);
 }
 
+// From the band to the chains, strokes are the slimmed ones: lengths in strokes in their widths.
+double slimness(const Stages& stages) {
+  return stages.slim.stroke_width / stages.ink.stroke_width;
+}
+
 void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control) {
   const Options& options = stages.inputs.settled;
   if (first <= Stage::band) {
-    stages.mesh = run("band", 0.1, [&] { return build_band(stages.ink, control.mask, {*options.reach, options.mesh_size}); });
+    stages.slim = run("slim ink", 0.08, [&] { return slim_ink(stages.ink, slim_share(*options.spacing)); });
+    const double reach = *options.reach / slimness(stages);
+    stages.mesh = run("band", 0.1, [&] { return build_band(stages.slim, control.mask, {reach, options.mesh_size}); });
     report_mesh(stages.mesh, stages.report);
   }
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
                                    options.field_rounds};
   if (first <= Stage::field)
-    stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.ink, field_options, control); });
+    stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
   if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
   if (first <= Stage::labels)
     stages.labels = run("labels", 0.52, [&] {
-      return label_strokes(stages.mesh, stages.charts, stages.ink, {options.label_length, options.label_ratio});
+      return label_strokes(stages.mesh, stages.charts, stages.slim, {options.label_length, options.label_ratio});
     });
-  const GridMapOptions map_options{*options.spacing,         options.snap,   options.snap_sigma, options.damping,
-                                   options.merge_difference, options.threads};
+  const GridMapOptions map_options{*options.spacing / slimness(stages),
+                                   options.snap,
+                                   options.snap_sigma,
+                                   options.damping,
+                                   options.merge_difference,
+                                   options.threads};
   if (first <= Stage::map) {
     stages.map = run("grid map", 0.6, [&] {
-      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.ink, map_options, part_of(control, 0.6, 0.9));
+      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.6, 0.9));
     });
     report_map(stages.field, stages.charts, stages.map, stages.report);
   }
@@ -208,10 +230,13 @@ Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
   const Options& options = stages.inputs.settled;
   Chains chains = run("chains", 0.95, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
-    return chain_strokes(stages.graph, stages.mesh, labels, stages.ink);
+    return chain_strokes(stages.graph, stages.mesh, labels, stages.slim);
   });
-  chains = run("refinement", 0.96,
-               [&] { return refine_on_ink(chains, stages.ink, *options.reach, *options.spacing, options.coverage_bins); });
+  const double slim = slimness(stages);
+  chains = run("refinement", 0.96, [&] {
+    return refine_on_ink(chains, stages.slim, *options.reach / slim, *options.spacing / slim, options.coverage_bins);
+  });
+  if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
   Leftovers leftovers = mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
   report.warnings.clear();
   report_leftovers(leftovers, stages.map, report);

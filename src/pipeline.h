@@ -9,6 +9,7 @@
 #include "fit.h"
 #include "inkgrid/inkgrid.h"
 #include "options.h"
+#include "slim.h"
 
 namespace inkgrid {
 
@@ -23,6 +24,7 @@ struct Inputs {
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
 struct Stages {
   Ink ink;
+  Ink slim;  // what the grid works on: the ink with strokes as slim as the spacing asks for
   BandMesh mesh;
   FrameField field;
   Charts charts;

@@ -11,6 +11,8 @@ constexpr double kSpreadOpacity = 0.05;
 constexpr double kManySlits = 0.03;
 constexpr double kUnevenWidth = 0.5;
 constexpr double kSlitRadius = 0.3;  // strokes
+constexpr double kFinePen = 4;       // px: a slimmer pen has no details below its width that pixels show
+constexpr double kFinest = 0.5;
 
 // The rim of a stroke is grey for other reasons.
 double opacity_spread(const Ink& ink) {
@@ -59,8 +61,10 @@ Preset choose_preset(Preset given, const Ink& ink) {
   return rough ? Preset::rough : Preset::clean;
 }
 
-PresetValues preset_values(Preset preset) {
-  return preset == Preset::rough ? PresetValues{0.6, 2} : PresetValues{0.3, 0.7};
+PresetValues preset_values(Preset preset, double stroke_width) {
+  if (preset == Preset::rough) return {0.6, 2};
+  const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
+  return {0.3 * fineness, 0.7 * fineness};
 }
 
 }  // namespace inkgrid

@@ -26,6 +26,8 @@ struct PresetValues {
   double spacing;  // lambda, strokes
 };
 
-PresetValues preset_values(Preset preset);
+// For clean drawings both follow the pen: down to half of what a pen of a few pixels is given, so that details smaller than the
+// pen are resolved.
+PresetValues preset_values(Preset preset, double stroke_width);
 
 }  // namespace inkgrid

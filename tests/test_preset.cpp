@@ -46,8 +46,16 @@ TEST(Preset, AGivenOneIsKept) {
   Image image = blank(200, 200);
   paint(image, wave(90, 0), 6);
   EXPECT_EQ(choose_preset(Preset::rough, ink_of(image)), Preset::rough);
-  EXPECT_GT(preset_values(Preset::rough).reach, preset_values(Preset::clean).reach);
-  EXPECT_GT(preset_values(Preset::rough).spacing, preset_values(Preset::clean).spacing);
+  EXPECT_GT(preset_values(Preset::rough, 6).reach, preset_values(Preset::clean, 6).reach);
+  EXPECT_GT(preset_values(Preset::rough, 6).spacing, preset_values(Preset::clean, 6).spacing);
+}
+
+TEST(Preset, AThickPenHasAFinerGridInItsOwnWidths) {
+  EXPECT_EQ(preset_values(Preset::clean, 2).spacing, preset_values(Preset::clean, 4).spacing);
+  EXPECT_LT(preset_values(Preset::clean, 6).spacing, preset_values(Preset::clean, 4).spacing);
+  EXPECT_GT(6 * preset_values(Preset::clean, 6).spacing, 2.7) << "the grid never gets finer than what pixels resolve";
+  EXPECT_EQ(preset_values(Preset::clean, 20).spacing, preset_values(Preset::clean, 60).spacing);
+  EXPECT_EQ(preset_values(Preset::rough, 2).spacing, preset_values(Preset::rough, 60).spacing);
 }
 
 }  // namespace
