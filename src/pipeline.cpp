@@ -256,7 +256,7 @@ void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
   if (first <= Stage::chains) stages.chains = chain_on_ink(stages, stages.report, run);
   if (first <= Stage::fit) {
     const double width = stages.ink.stroke_width;
-    const FitOptions fit_options{stages.inputs.settled.tolerance * width, width};
+    const FitOptions fit_options{stages.inputs.settled.tolerance * width, stages.slim.stroke_width};
     stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
     count_curves(stages.drawing, stages.report);
   }

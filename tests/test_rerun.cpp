@@ -55,6 +55,7 @@ std::string other_value(std::string_view name) {
 Options usual() {
   Options options;
   options.mesh_size = 0.45;
+  options.spacing = 0.8;  // from a cell of a pen on, the spacing slims no strokes
   options.degenerate_angle = 60;
   options.field_rounds = 3;
   return options;
