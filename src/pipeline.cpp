@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "crossings.h"
 #include "ends.h"
 #include "folds.h"
 #include "junctions.h"
@@ -15,6 +16,8 @@
 
 namespace inkgrid {
 namespace {
+
+constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 
 // Seconds of each stage, and a place to stop.
 class Stopwatch {
@@ -138,6 +141,7 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
   covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
   Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
   attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
+  attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);
   attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
   Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
   return drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
@@ -256,7 +260,8 @@ void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
   if (first <= Stage::chains) stages.chains = chain_on_ink(stages, stages.report, run);
   if (first <= Stage::fit) {
     const double width = stages.ink.stroke_width;
-    const FitOptions fit_options{stages.inputs.settled.tolerance * width, stages.slim.stroke_width};
+    const double corner_span = std::min(width, kCornerSpan * stages.slim.stroke_width);
+    const FitOptions fit_options{stages.inputs.settled.tolerance * width, corner_span};
     stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
     count_curves(stages.drawing, stages.report);
   }
