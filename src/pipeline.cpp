@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "corners.h"
 #include "crossings.h"
 #include "ends.h"
 #include "folds.h"
@@ -17,6 +18,10 @@
 namespace inkgrid {
 namespace {
 
+constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other share their ink
+constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
+constexpr double kTipLength = 2.5;   // of the pen: that of the tip of a corner of 25 degrees
+constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 
 // Seconds of each stage, and a place to stop.
@@ -99,20 +104,22 @@ void report_leftovers(const Leftovers& leftovers, const GridMap& map, Report& re
         sentence(leftovers.dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
 }
 
-// What is smaller than half a grid cell is not resolved: doubles and spurs within it are dropped, and junctions within it and
-// half a stroke are one; further apart only where the chain between them lies inside a blot.
+// What is not resolved: doubles within half a grid cell; spurs and junctions within half a cell, or what a pen can show if that
+// is more. Junctions further apart are one only where the chain between them lies inside a blot.
 struct Resolution {
   double cell;       // half the grid spacing, px
-  double spur;       // half the grid spacing, strokes
-  double raw_spur;   // the same for an isoline that goes on to the rim of the ink, half a stroke further
+  double raw_spur;   // half the grid spacing, strokes, for an isoline that goes on to the rim of the ink, half a stroke further
+  double spur;       // strokes
   double link;       // px
   double bare_link;  // px
 };
 
-Resolution resolution_of(double spacing, double width) {
-  const double half = 0.5 * spacing;
-  const double link = (half + 0.45) * width;
-  return {half * width, half, half + 0.5, link, 2.5 * link};
+// `spacing` in strokes of `width`, which the pen was slimmed to.
+Resolution resolution_of(double spacing, double width, double pen) {
+  const double half = 0.5 * spacing, blunt = std::min(pen, kBlunt * width);
+  const double seen = std::max(half * width, kSeenOfPen * blunt);
+  const double link = seen + 0.45 * blunt;
+  return {half * width, half + 0.5, seen / width, link, 2.5 * link};
 }
 
 RidgeOptions ridge_options(double width, double reach, double spacing) {
@@ -127,9 +134,9 @@ Chains with_drawn_widths(Chains chains, const Ink& ink, double reach, double spa
 }
 
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double spacing, int bins) {
+Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double reach, double spacing, int bins) {
   const double width = ink.stroke_width;
-  const Resolution resolution = resolution_of(spacing, width);
+  const Resolution resolution = resolution_of(spacing, width, pen);
   const RidgeOptions ridge = ridge_options(width, reach, spacing);
   const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
   const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
@@ -143,7 +150,9 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double reach, double 
   attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
   attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);
   attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
-  Chains located = locate_junctions(follow_ridges(attached.chains, ink, ridge), attached.junctions, 1.5 * width);
+  const int junctions = static_cast<int>(attached.junctions.size());
+  auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), junctions, kTipLength * pen, kTipMiss * pen);
+  Chains located = locate_junctions(std::move(ridges), attached.junctions, 1.5 * pen);
   return drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
 }
 
@@ -238,7 +247,8 @@ Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
   });
   const double slim = slimness(stages);
   chains = run("refinement", 0.96, [&] {
-    return refine_on_ink(chains, stages.slim, *options.reach / slim, *options.spacing / slim, options.coverage_bins);
+    return refine_on_ink(chains, stages.slim, stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim,
+                         options.coverage_bins);
   });
   if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
   Leftovers leftovers = mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));

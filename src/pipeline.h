@@ -40,9 +40,9 @@ struct Stages {
 
 Stages run_stages(const Image& image, const Options& options, const Control& control);
 
-// The same result as that of run_stages, to the last digit, from the stages of an earlier run (or none), unchanged: only what comes after the
-// first change of the image, the options or the mask runs again, and Report::seconds names only that.  Where it throws, the
-// stages are as they were.
+// The same result as that of run_stages, to the last digit, from the stages of an earlier run (or none), unchanged: only what
+// comes after the first change of the image, the options or the mask runs again, and Report::seconds names only that.  Where it
+// throws, the stages are as they were.
 void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control);
 
 // Puts the numbers of curves and segments into the report.

@@ -24,6 +24,14 @@ void move_end(Chain& chain, bool at_start, Vec2 target) {
   (at_start ? chain.points.front() : chain.points.back()) = target;
 }
 
+// How far a chain that links junctions leads from one to the other; a loop, how far it leads there and back.
+double link_length(const Chain& chain) {
+  if (chain.start_junction != chain.end_junction) return length_of(chain);
+  double furthest = 0;
+  for (const Vec2 p : chain.points) furthest = std::max(furthest, norm(p - chain.points.front()));
+  return 2 * furthest;
+}
+
 // Number of chain ends at each junction.
 std::vector<int> degrees(const Chains& chains) {
   std::vector<int> degree(chains.junctions.size(), 0);
@@ -56,7 +64,7 @@ void collapse_links(Chains& chains, double link, double bare_link) {
   std::vector<double> length;
   for (int i = 0; i < static_cast<int>(chains.chains.size()); ++i) {
     const auto& c = chains.chains[static_cast<std::size_t>(i)];
-    length.push_back(length_of(c));
+    length.push_back(link_length(c));
     if (c.start_junction < 0 || c.end_junction < 0) continue;
     if (length.back() < link || (length.back() < bare_link && c.confirmed < 0.25 * link)) links.push_back(i);
   }
@@ -197,15 +205,17 @@ Chains drop_spurs(Chains chains, double share) {
   for (const auto& c : chains.chains)
     for (const int j : {c.start_junction, c.end_junction})
       if (j >= 0) widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], c.width);
-  const double widest_of_all = widest.empty() ? 0 : *std::max_element(widest.begin(), widest.end());
+  double widest_of_all = 0;
+  for (const auto& c : chains.chains) widest_of_all = std::max(widest_of_all, c.width);
   if (widest_of_all <= 0) return chains;
   const PointBins bins(chains.chains, share * widest_of_all);
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (std::size_t i = 0; i < chains.chains.size(); ++i) {
     const Chain& c = chains.chains[i];
     const int j = std::max(c.start_junction, c.end_junction);
-    if (c.closed || j < 0 || std::min(c.start_junction, c.end_junction) >= 0 || degree[static_cast<std::size_t>(j)] < 3) continue;
-    const double distance = share * widest[static_cast<std::size_t>(j)];
+    if (c.closed || std::min(c.start_junction, c.end_junction) >= 0) continue;
+    if (j >= 0 && degree[static_cast<std::size_t>(j)] < 3) continue;
+    const double distance = share * (j >= 0 ? widest[static_cast<std::size_t>(j)] : c.width);
     alive[i] = !std::all_of(c.points.begin(), c.points.end(),
                             [&](Vec2 p) { return bins.has_companion(p, {}, static_cast<int>(i), alive, distance, 0); });
   }

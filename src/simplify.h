@@ -15,8 +15,8 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach);
 // dropped.
 Chains drop_doubles(Chains chains, double distance);
 
-// Chains with one free end, hanging on a junction and nowhere further than `share` times the widest of its branches from other
-// chains, are dropped: their ink is that of the others.
+// Chains with a free end, hanging on a junction or on nothing, and nowhere further than `share` times the widest of that
+// junction's branches (else than `share` of their own width) from other chains, are dropped: their ink is that of the others.
 Chains drop_spurs(Chains chains, double share);
 
 // Junctions linked by chains shorter than `link` px become one, and so do those linked by chains shorter than `bare_link` px that
