@@ -89,8 +89,10 @@ TEST(Ownership, PixelsOfOpenInkBelongToTheNearestPoint) {
 Chains chains_of(const Image& image) {
   Options options;
   options.preset = Preset::clean;
+  options.spacing = 0.7;  // slims no strokes
+  options.reach = 0.3;
   const Stages s = run_stages(image, options, {});
-  return chain_strokes(s.graph, s.mesh, spread_labels(s.mesh, s.charts, s.labels), s.ink);
+  return chain_strokes(s.graph, s.mesh, spread_labels(s.mesh, s.charts, s.labels), s.slim);
 }
 
 double longest(const Chains& chains) {

@@ -80,9 +80,23 @@ TEST(Simplify, BranchesThatWereDrawnStay) {
   expect_consistent(kept);
 }
 
-TEST(Simplify, AShortFreeChainIsNoSpur) {
-  const Chains chains{{}, {chain_along({{20, 50}, {180, 50}}, kWidth), chain_along({{90, 51}, {92, 51}}, kWidth)}};
-  EXPECT_EQ(drop_spurs(chains, kSpur).chains.size(), 2u);
+TEST(Simplify, AFreeChainInsideTheInkOfAnotherIsDropped) {
+  const Chain line = chain_along({{20, 50}, {180, 50}}, kWidth);
+  EXPECT_EQ(drop_spurs({{}, {line, chain_along({{90, 51}, {102, 49}}, kWidth)}}, kSpur).chains.size(), 1u);
+  const double apart = 50 + 1.2 * kSpur * kWidth;
+  EXPECT_EQ(drop_spurs({{}, {line, chain_along({{90, apart}, {92, apart}}, kWidth)}}, kSpur).chains.size(), 2u);
+}
+
+TEST(Simplify, ALoopThatLeadsNowhereIsALink) {
+  const auto looped = [](double size) {
+    Chains chains{{{100, 100}}, {chain_along({{20, 100}, {100, 100}}, kWidth), chain_along({{100, 100}, {180, 100}}, kWidth)}};
+    chains.chains[0].end_junction = chains.chains[1].start_junction = 0;
+    chains.chains.push_back(chain_along({{100, 100}, {100 + size, 100 + size}, {100, 100 + size}, {100, 100}}, kWidth));
+    chains.chains.back().start_junction = chains.chains.back().end_junction = 0;
+    return merge_junctions(std::move(chains), kWidth, kWidth).chains.size();
+  };
+  EXPECT_EQ(looped(0.3 * kWidth), 1u);
+  EXPECT_EQ(looped(2 * kWidth), 3u);
 }
 
 TEST(Simplify, JunctionsOfOneCrossingBecomeOne) {
