@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "inkgrid-project";
 constexpr int kVersion = 1;
-constexpr double kFurthest = 1e6;  // px; beyond any image
+constexpr double kFurthest = 1e6;             // px; beyond any image
+constexpr std::size_t kMostPoints = 200'000;  // of all scribbles: they are painted one by one
 constexpr std::array kScribbleKinds{"less", "more", "erase"};
 constexpr std::array kEditKinds{"delete", "split", "join"};
 
@@ -143,6 +144,9 @@ Project project_of(const Value& value) {
   if (value.has("options")) project.options = options_of(value.at("options"));
   if (value.has("scribbles"))
     for (const Value& scribble : value.at("scribbles").items()) project.scribbles.push_back(scribble_of(scribble));
+  std::size_t points = 0;
+  for (const Scribble& scribble : project.scribbles) points += scribble.points.size();
+  if (points > kMostPoints) refuse("the scribbles have more than " + std::to_string(kMostPoints) + " points");
   if (value.has("edits"))
     for (const Value& edit : value.at("edits").items()) project.edits.push_back(edit_of(edit));
   return project;
@@ -213,7 +217,7 @@ Project parse_project(std::string_view text, const std::string& name) {
   try {
     return project_of({Json::parse(text), ""});
   } catch (const Json::exception&) {
-    throw Error(ErrorCode::file, "'" + name + "' is no inkgrid project: it is not whole JSON");
+    throw Error(ErrorCode::file, "'" + name + "' is no inkgrid project: it is no JSON that can be read");
   } catch (const Error& error) {
     throw Error(ErrorCode::file, "'" + name + "': " + error.what());
   }
