@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/cubic.h"
+#include "base/digest.h"
 
 namespace inkgrid {
 namespace {
@@ -197,6 +198,16 @@ void drop_lone_junctions(Drawing& drawing, int a, int b) {
   if (a != b) drop_if_lone(drawing, std::min(a, b));
 }
 
+// A curve that was changed is another one.
+void renew_id(Drawing& drawing, int curve) {
+  Curve& changed = drawing.curves[index(curve)];
+  std::vector<Vec2> points;
+  for (const Cubic& c : changed.segments) points.insert(points.end(), {c.p0, c.p1, c.p2, c.p3});
+  changed.id = digest(points);
+  const auto is_taken = [&](const Curve& other) { return &other != &changed && other.id == changed.id; };
+  while (std::any_of(drawing.curves.begin(), drawing.curves.end(), is_taken)) ++changed.id;
+}
+
 bool remove_curve(Drawing& drawing, const Edit& edit) {
   const auto place = nearest_place(drawing, edit.at, edit.tolerance);
   if (!place) return false;
@@ -249,8 +260,10 @@ bool split_curve(Drawing& drawing, const Edit& edit) {
     curve.segments.resize(index(joint));
     curve.end_junction = junction;
     drawing.curves.insert(drawing.curves.begin() + place->curve + 1, std::move(rest));
+    renew_id(drawing, place->curve + 1);
   }
   drawing.curves[index(place->curve)] = std::move(curve);
+  renew_id(drawing, place->curve);
   return true;
 }
 
@@ -281,8 +294,9 @@ bool join_ends(Drawing& drawing, const Edit& edit) {
   } else {
     if (!a->at_end) reverse(first);
     append(first, b->at_end ? turned(second) : second);
-    drawing.curves.erase(drawing.curves.begin() + b->curve);
   }
+  renew_id(drawing, a->curve);
+  if (a->curve != b->curve) drawing.curves.erase(drawing.curves.begin() + b->curve);
   drop_lone_junctions(drawing, junctions[0], junctions[1]);
   return true;
 }

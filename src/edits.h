@@ -46,7 +46,8 @@ struct Edited {
 
 // One edit after the other, each on what the one before left.  Curves keep their order: a split puts the new part behind the
 // old one, a join keeps the place of the curve at `at`.  The parts of a split share a new junction; a gap that is joined is
-// bridged along the tangents of both ends; junctions where fewer than two curves are left are dropped.
+// bridged along the tangents of both ends; junctions where fewer than two curves are left are dropped.  A curve that was changed
+// has another id, which is the same wherever it runs the same.
 Edited apply_edits(Drawing drawing, std::span<const Edit> edits);
 
 }  // namespace inkgrid

@@ -1,12 +1,12 @@
 #include "fit.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
 
+#include "base/digest.h"
 #include "fit_samples.h"
 #include "fit_span.h"
 #include "fit_spline.h"
@@ -347,24 +347,6 @@ std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const
     std::ranges::move(fit_smooth(side_between(samples, corners[k], corners[k + 1]), options), std::back_inserter(cubics));
   return cubics;
 }
-
-namespace {
-
-// A bijection that spreads every bit over the word (the finaliser of splitmix64).
-constexpr std::uint64_t mixed(std::uint64_t word) {
-  word = (word ^ word >> 30) * 0xbf58476d1ce4e5b9;
-  word = (word ^ word >> 27) * 0x94d049bb133111eb;
-  return word ^ word >> 31;
-}
-
-std::uint64_t digest(std::span<const Vec2> points) {
-  std::uint64_t hash = points.size();
-  for (const Vec2 p : points)
-    for (const double value : {p.x, p.y}) hash = mixed(hash ^ std::bit_cast<std::uint64_t>(value));
-  return hash;
-}
-
-}  // namespace
 
 Drawing fit_curves(const Chains& chains, const FitOptions& options) {
   Drawing drawing;

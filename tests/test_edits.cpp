@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "base/cubic.h"
 #include "edits.h"
@@ -44,6 +45,7 @@ Drawing tree() {
   drawing.curves = {polyline({{0, 50}, {50, 50}}, -1, 0), polyline({{50, 0}, {50, 50}}, -1, 0),
                     polyline({{50, 50}, {100, 50}}, 0, 1), polyline({{100, 50}, {150, 20}}, 1, -1),
                     polyline({{100, 50}, {150, 80}}, 1, -1)};
+  for (Curve& curve : drawing.curves) curve.id = 1000 + static_cast<std::uint64_t>(&curve - drawing.curves.data());
   return drawing;
 }
 
@@ -99,6 +101,7 @@ void check(const Drawing& drawing) {
 }
 
 void expect_equal(const Curve& a, const Curve& b) {
+  EXPECT_EQ(a.id, b.id);
   ASSERT_EQ(a.segments.size(), b.segments.size());
   for (std::size_t i = 0; i < a.segments.size(); ++i) {
     EXPECT_EQ(a.segments[i].p0, b.segments[i].p0);
@@ -337,6 +340,25 @@ TEST(Join, OfOneEndWithItselfOrWithAClosedCurveIsMissed) {
   EXPECT_EQ(
       apply_edits(drawing, std::vector<Edit>{join({5, 50}, {6, 50}), join({5, 50}, {170, 150}), join({5, 50}, {5, 120})}).missed,
       (std::vector<int>{0, 1, 2}));
+}
+
+std::set<std::uint64_t> ids_of(const Drawing& drawing) {
+  std::set<std::uint64_t> ids;
+  for (const Curve& curve : drawing.curves) EXPECT_TRUE(ids.insert(curve.id).second);
+  return ids;
+}
+
+TEST(Edits, ChangedCurvesHaveNewIdsThatAreTheSameAgain) {
+  const std::set<std::uint64_t> before = ids_of(tree());
+  for (const Edit& edit : {split({20, 50}), join({40, 50}, {60, 50})}) {
+    const Drawing after = edited(tree(), {edit});
+    const std::set<std::uint64_t> ids = ids_of(after);
+    EXPECT_EQ(ids, ids_of(edited(tree(), {edit})));
+    for (const Curve& curve : after.curves) {
+      const bool kept = std::any_of(before.begin(), before.end(), [&](std::uint64_t id) { return id == curve.id; });
+      EXPECT_EQ(kept, curve.segments.size() == 1 && length_of(curve) > 45);
+    }
+  }
 }
 
 TEST(Edits, MeanTheSameCurvesAfterTheDrawingMovedALittle) {

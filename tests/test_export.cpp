@@ -34,6 +34,7 @@ Drawing sample() {
   loop.closed = true;
   loop.width = 2;
   loop.coverage = 1;
+  loop.id = 18446744073709551615u;
   drawing.curves = {arch, loop};
   return drawing;
 }
@@ -171,6 +172,7 @@ TEST(Graph, HoldsTheDrawingToTheLastDigit) {
     const Json& written_curve = json.at("curves").at(i);
     const Curve& curve = drawing.curves[i];
     EXPECT_EQ(written_curve.at("id"), i + 1);
+    EXPECT_EQ(written_curve.at("key"), std::to_string(curve.id));
     EXPECT_EQ(written_curve.at("closed"), curve.closed);
     EXPECT_EQ(written_curve.at("width").get<double>(), curve.width);
     EXPECT_EQ(written_curve.at("coverage").get<double>(), curve.coverage);

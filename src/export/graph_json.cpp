@@ -23,6 +23,7 @@ Json curve_json(const Curve& curve, int id) {
   for (const Cubic& c : curve.segments)
     for (const Vec2 p : {c.p1, c.p2, c.p3}) points.push_back(point_json(p));
   return {{"id", id},
+          {"key", std::to_string(curve.id)},
           {"closed", curve.closed},
           {"width", curve.width},
           {"coverage", curve.coverage},
