@@ -288,3 +288,20 @@ class ChoiceOfFormat(CommandTest):
                                           for word in ('-o', run_number + '.' + name)))
         for name in ('pdf', 'eps', 'dxf', 'json', 'png'):
             self.assertEqual(self.read('1.' + name), self.read('2.' + name), name)
+
+
+class Documentation(CommandTest):
+    def test_examples_follow_their_schemas(self):
+        with open(os.path.join(SCHEMAS, '..', 'FORMATS.md'), encoding='utf-8') as page:
+            examples = [json.loads(text) for text in re.findall(r'(?s)```json\n(.*?)```', page.read())]
+        self.assertEqual([example['format'] for example in examples], ['inkgrid-graph', 'inkgrid-project'])
+        for example in examples:
+            with open(os.path.join(SCHEMAS, example['format'].split('-')[1] + '.schema.json'), encoding='utf-8') as schema:
+                jsonschema.validate(example, json.load(schema))
+
+    def test_options_and_formats_are_those_of_the_help(self):
+        with open(os.path.join(SCHEMAS, '..', 'FORMATS.md'), encoding='utf-8') as page:
+            documented = set(re.findall(r'(?m)^\| `(--[a-z-]+)', page.read()))
+        told = re.search(r'(?s)\nFormats\. .*?\n\n(.*?)\n\n', self.succeed('--help').stdout.decode()).group(1)
+        self.assertEqual(set(re.findall(r'(?m)^  (--[a-z-]+)', told)), documented)
+        self.assertEqual(re.findall(r'(?m)^  ([a-z]+)$', told), ['svg', 'pdf', 'eps', 'dxf', 'json', 'png'])
