@@ -182,8 +182,7 @@ FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const 
     add_alignment(p, darkness, ink.stroke_width, faces[f], part);
     for (int i = 0; i < faces[f].count; ++i) {
       const int row = faces[f].node[at(i)];
-      system.right[at(row)].p += part.right[at(i)].p;
-      system.right[at(row)].q += part.right[at(i)].q;
+      system.right[at(row)] += part.right[at(i)];
       for (int j = 0; j <= i; ++j) system.matrix.add(row, faces[f].node[at(j)], part.matrix[at(i)][at(j)]);
     }
   }

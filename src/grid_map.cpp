@@ -8,9 +8,7 @@
 #include <numeric>
 #include <thread>
 
-#include "cut_shifts.h"
-#include "numerics/mixed_integer.h"
-#include "snap_regions.h"
+#include "map_system.h"
 
 namespace inkgrid {
 
@@ -24,157 +22,6 @@ Vec2 real(IVec2 a) {
   return {static_cast<double>(a.x), static_cast<double>(a.y)};
 }
 
-// What stands before the solver.
-struct Setup {
-  const BandMesh& mesh;
-  const Charts& charts;
-  const std::vector<Label>& labels;
-  const Ink& ink;
-  const GridMapOptions& options;
-  const CutShifts& cuts;
-  const SnapRegions& snap;
-};
-
-// Where each unknown stands in the system of its component: first (u, v) of the vertices, then the integers.
-struct Layout {
-  std::vector<int> vertex;                 // place of u, that of v follows; -1 at fixed points
-  std::vector<int> shift;                  // per free shift: place of its first coordinate, the second follows
-  std::vector<int> region;                 // per snapping region
-  std::vector<int> reals;                  // per component
-  std::vector<int> size;                   // per component
-  std::vector<std::vector<int>> faces;     // per component
-  std::vector<std::vector<int>> vertices;  // per component
-};
-
-Layout lay_out(const Setup& setup) {
-  const BandMesh& mesh = setup.mesh;
-  Layout layout;
-  layout.vertex.assign(mesh.points.size(), -1);
-  layout.size.assign(at(mesh.components), 0);
-  layout.faces.resize(at(mesh.components));
-  layout.vertices.resize(at(mesh.components));
-  std::vector<int> component(mesh.points.size(), -1);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    layout.faces[at(mesh.component[at(f)])].push_back(f);
-    for (int v : mesh.faces[at(f)]) component[at(v)] = mesh.component[at(f)];
-  }
-  const auto take = [&](int owner, int count) {
-    const int place = layout.size[at(owner)];
-    layout.size[at(owner)] += count;
-    return place;
-  };
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (component[at(v)] < 0) continue;
-    layout.vertices[at(component[at(v)])].push_back(v);
-    if (!setup.cuts.fixed_point[at(v)]) layout.vertex[at(v)] = take(component[at(v)], 2);
-  }
-  layout.reals = layout.size;
-  for (int owner : setup.cuts.shift_component) layout.shift.push_back(take(owner, 2));
-  for (int owner : setup.snap.component) layout.region.push_back(take(owner, 1));
-  return layout;
-}
-
-// Calls visit(place, factor) for the terms of one coordinate (0: u, 1: v) of a corner.
-template <class Visit>
-void for_each_term(const Setup& setup, const Layout& layout, int corner, int coordinate, const Visit& visit) {
-  const auto complex_term = [&](int place, Vec2 factor) {
-    const double first = coordinate == 0 ? factor.x : factor.y, second = coordinate == 0 ? -factor.y : factor.x;
-    if (first != 0) visit(place, first);
-    if (second != 0) visit(place + 1, second);
-  };
-  const auto form_terms = [&](int form, Vec2 factor) {
-    if (form < 0) return;
-    for (const ShiftTerm& term : setup.cuts.forms[at(form)])
-      complex_term(layout.shift[at(term.shift)], factor * real(term.factor));
-  };
-  const int vertex = setup.mesh.faces[at(face_of(corner))][at(corner % 3)];
-  const Vec2 turn = turned(Vec2{1, 0}, setup.cuts.corner_turn[at(corner)]);
-  if (layout.vertex[at(vertex)] >= 0)
-    complex_term(layout.vertex[at(vertex)], turn);
-  else
-    form_terms(setup.cuts.doubled_form[at(vertex)], 0.5 * turn);
-  form_terms(setup.cuts.corner_form[at(corner)], {1, 0});
-}
-
-// J (s phi) = sum over corners of uv (along_s, along_t)', with the derivatives of the corners' hat functions along the scaled
-// frame.
-struct FaceFrame {
-  std::array<double, 3> along_s;
-  std::array<double, 3> along_t;
-};
-
-FaceFrame face_frame(const Setup& setup, int f) {
-  const auto& face = setup.mesh.faces[at(f)];
-  const std::array<Vec2, 3> p = {setup.mesh.points[at(face[0])], setup.mesh.points[at(face[1])], setup.mesh.points[at(face[2])]};
-  const double scale = grid_unit(setup.mesh, setup.ink, setup.options, f) / cross(p[1] - p[0], p[2] - p[0]);
-  FaceFrame frame;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 gradient = scale * quarter_turn(p[(k + 2) % 3] - p[(k + 1) % 3]);
-    frame.along_s[k] = dot(gradient, setup.charts.s[at(f)]);
-    frame.along_t[k] = dot(gradient, setup.charts.t[at(f)]);
-  }
-  return frame;
-}
-
-class System {
- public:
-  System(const Setup& setup, const Layout& layout, int component) : setup_(setup), layout_(layout) {
-    problem_.size = layout.size[at(component)];
-    problem_.b.assign(at(problem_.size), 0.0);
-    for (int i = layout.reals[at(component)]; i < problem_.size; ++i) problem_.integers.push_back(i);
-    problem_.lower.reserve(layout.faces[at(component)].size() * 14);
-    for (int f : layout.faces[at(component)]) add_face(f);
-  }
-
-  const MixedIntegerProblem& problem() const { return problem_; }
-
- private:
-  // factor / 2 * (corner a) * (corner b), of one coordinate.
-  void add_product(int a, int b, int coordinate, double factor) {
-    for_each_term(setup_, layout_, a, coordinate, [&](int row, double fa) {
-      for_each_term(setup_, layout_, b, coordinate, [&](int column, double fb) {
-        if (row >= column) problem_.lower.push_back({row, column, factor * fa * fb});
-      });
-    });
-  }
-
-  // weight / 2 * (corner - integer)^2
-  void add_snapping(int corner, int coordinate, double weight) {
-    const int integer = layout_.region[at(setup_.snap.region[at(corner)])];
-    problem_.lower.push_back({integer, integer, weight});
-    for_each_term(setup_, layout_, corner, coordinate, [&](int place, double factor) {
-      problem_.lower.push_back({std::max(integer, place), std::min(integer, place), -weight * factor});
-    });
-  }
-
-  // Half of this face's part of equation (4).
-  void add_face(int f) {
-    const FaceFrame frame = face_frame(setup_, f);
-    for (int coordinate : {0, 1}) {
-      const auto& target = coordinate == 0 ? frame.along_s : frame.along_t;
-      for (int k = 0; k < 3; ++k) {
-        const int corner = 3 * f + k;
-        double own = setup_.options.damping;
-        if (setup_.snap.region[at(corner)] >= 0 && coordinate == snapping_coordinate(setup_.labels[at(f)])) {
-          const double weight = setup_.options.snap * setup_.snap.weight[at(corner)];
-          own += weight;
-          add_snapping(corner, coordinate, weight);
-        }
-        for (int l = 0; l < 3; ++l) {
-          const double alignment = frame.along_s[at(k)] * frame.along_s[at(l)] + frame.along_t[at(k)] * frame.along_t[at(l)];
-          add_product(corner, 3 * f + l, coordinate, alignment + (k == l ? own : 0));
-        }
-        for_each_term(setup_, layout_, corner, coordinate,
-                      [&](int place, double factor) { problem_.b[at(place)] += factor * target[at(k)]; });
-      }
-    }
-  }
-
-  const Setup& setup_;
-  const Layout& layout_;
-  MixedIntegerProblem problem_;
-};
-
 struct Unknowns {
   std::vector<Vec2> vertex;          // (u, v)
   std::vector<IVec2> shift;          // per free shift
@@ -182,17 +29,17 @@ struct Unknowns {
 };
 
 // Writes only what belongs to the component, so components may be solved at the same time.
-void solve_component(const Setup& setup, const Layout& layout, int component, Unknowns& unknowns) {
-  const std::vector<double> x = solve_mixed_integer(System(setup, layout, component).problem()).x;
-  const auto integer = [&](int place) { return static_cast<std::int64_t>(x[at(place)]); };
+void solve_component(const MapSetup& setup, const MapLayout& layout, int component, Unknowns& unknowns) {
+  const MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component));
+  const auto integer = [&](int place) { return static_cast<std::int64_t>(solution.integers[at(place)]); };
   for (std::size_t i = 0; i < layout.shift.size(); ++i)
     if (setup.cuts.shift_component[i] == component) unknowns.shift[i] = {integer(layout.shift[i]), integer(layout.shift[i] + 1)};
   for (std::size_t i = 0; i < layout.region.size(); ++i)
     if (setup.snap.component[i] == component) unknowns.region[i] = integer(layout.region[i]);
   for (int v : layout.vertices[at(component)]) {
-    const int place = layout.vertex[at(v)], form = setup.cuts.doubled_form[at(v)];
-    if (place >= 0)
-      unknowns.vertex[at(v)] = {x[at(place)], x[at(place + 1)]};
+    const int node = layout.node[at(v)], form = setup.cuts.doubled_form[at(v)];
+    if (node >= 0)
+      unknowns.vertex[at(v)] = {solution.reals[at(node)].p, solution.reals[at(node)].q};
     else if (form >= 0)
       unknowns.vertex[at(v)] = 0.5 * real(value_of(setup.cuts.forms[at(form)], unknowns.shift));
   }
@@ -201,15 +48,15 @@ void solve_component(const Setup& setup, const Layout& layout, int component, Un
 // Solves the components, the largest first, on all processors; the calling thread takes part and reports.
 class ComponentSolver {
  public:
-  ComponentSolver(const Setup& setup, const Layout& layout, const Control& control, Unknowns& unknowns)
+  ComponentSolver(const MapSetup& setup, const MapLayout& layout, const Control& control, Unknowns& unknowns)
       : setup_(setup),
         layout_(layout),
         control_(control),
         unknowns_(unknowns),
-        order_(layout.size.size()),
-        failed_(layout.size.size(), 0) {
+        order_(layout.nodes.size()),
+        failed_(layout.nodes.size(), 0) {
     std::iota(order_.begin(), order_.end(), 0);
-    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return layout.size[at(a)] > layout.size[at(b)]; });
+    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return layout.nodes[at(a)] > layout.nodes[at(b)]; });
   }
 
   // Components whose solve failed.
@@ -254,8 +101,8 @@ class ComponentSolver {
     }
   }
 
-  const Setup& setup_;
-  const Layout& layout_;
+  const MapSetup& setup_;
+  const MapLayout& layout_;
   const Control& control_;
   Unknowns& unknowns_;
   std::vector<int> order_;
@@ -265,7 +112,7 @@ class ComponentSolver {
   std::exception_ptr error_;
 };
 
-GridMap assemble_map(const Setup& setup, const Unknowns& unknowns) {
+GridMap assemble_map(const MapSetup& setup, const Unknowns& unknowns) {
   const CutShifts& cuts = setup.cuts;
   const auto translation = [&](int form) { return form < 0 ? IVec2{} : value_of(cuts.forms[at(form)], unknowns.shift); };
   GridMap map;
@@ -285,7 +132,7 @@ GridMap assemble_map(const Setup& setup, const Unknowns& unknowns) {
 }
 
 // Equation (2) in one face.
-double alignment_energy(const Setup& setup, const GridMap& map, int f) {
+double alignment_energy(const MapSetup& setup, const GridMap& map, int f) {
   const FaceFrame frame = face_frame(setup, f);
   Vec2 along_s{-1, 0}, along_t{0, -1};
   for (int k = 0; k < 3; ++k) {
@@ -296,7 +143,7 @@ double alignment_energy(const Setup& setup, const GridMap& map, int f) {
 }
 
 // Equation (3) at one corner.
-double snapping_energy(const Setup& setup, const GridMap& map, const Unknowns& unknowns, int corner) {
+double snapping_energy(const MapSetup& setup, const GridMap& map, const Unknowns& unknowns, int corner) {
   const int region = setup.snap.region[at(corner)];
   if (region < 0) return 0;
   const Vec2 uv = map.uv(corner);
@@ -305,7 +152,7 @@ double snapping_energy(const Setup& setup, const GridMap& map, const Unknowns& u
   return setup.snap.weight[at(corner)] * difference * difference;
 }
 
-void measure_energies(const Setup& setup, const Unknowns& unknowns, GridMap& map) {
+void measure_energies(const MapSetup& setup, const Unknowns& unknowns, GridMap& map) {
   const auto& failed = map.failed_components;
   for (int f = 0; f < setup.mesh.face_count(); ++f) {
     if (std::binary_search(failed.begin(), failed.end(), setup.mesh.component[at(f)])) continue;
@@ -320,8 +167,8 @@ GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::ve
                        const GridMapOptions& options, const Control& control) {
   const CutShifts cuts = trace_cuts(mesh, charts);
   const SnapRegions snap = merge_snapping(mesh, charts, labels, ink, options);
-  const Setup setup{mesh, charts, labels, ink, options, cuts, snap};
-  const Layout layout = lay_out(setup);
+  const MapSetup setup{mesh, charts, labels, ink, options, cuts, snap};
+  const MapLayout layout = lay_out(setup);
   Unknowns unknowns{std::vector<Vec2>(mesh.points.size()), std::vector<IVec2>(cuts.shift_component.size()),
                     std::vector<std::int64_t>(snap.component.size())};
   const std::vector<int> failed = ComponentSolver(setup, layout, control, unknowns).run();

@@ -99,6 +99,49 @@ TEST(PairLdl, SolvesSparseAndDenseSystems) {
   }
 }
 
+TEST(PairLdl, RealAndComplexSolutionsAgree) {
+  std::mt19937 random(6);
+  const RandomSystem system(random, 40, 70, 0.3);
+  const auto right = random_pairs(random, 40);
+  std::vector<RealPair> real_part;
+  for (const auto& pair : right) real_part.push_back({pair.p.real(), pair.q.real()});
+  const PairLdl factor(system.matrix);
+  const auto complex_solution = factor.solve(right);
+  const auto real_solution = factor.solve(real_part);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    EXPECT_NEAR(real_solution[i].p, complex_solution[i].p.real(), 1e-12);
+    EXPECT_NEAR(real_solution[i].q, complex_solution[i].q.real(), 1e-12);
+  }
+}
+
+TEST(PairLdl, ProductsOfHalfSolvedVectorsAreThoseOfTheInverse) {
+  std::mt19937 random(11);
+  const int nodes = 15;
+  const RandomSystem system(random, nodes, 25, 0.2);
+  PairLdl factor(system.matrix);
+  std::uniform_int_distribution<int> pick(0, 2 * nodes - 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::array<std::vector<RealPair>, 2> vectors;
+    std::array<std::vector<double>, 2> halves;
+    for (std::size_t k = 0; k < 2; ++k) {
+      vectors[k].resize(nodes);
+      halves[k].assign(2 * nodes, 0.0);
+      SparseVector sparse;
+      for (int t = 0; t < 3; ++t) {
+        sparse.push_back({pick(random), 1.0 + t});
+        RealPair& pair = vectors[k][static_cast<std::size_t>(sparse.back().index / 2)];
+        (sparse.back().index % 2 ? pair.q : pair.p) += 1.0 + t;
+      }
+      for (const SparseTerm& term : factor.half_solve(sparse, 0)) halves[k][static_cast<std::size_t>(term.index)] += term.value;
+    }
+    const auto solved = factor.solve(vectors[1]);
+    double expected = 0, product = 0;
+    for (std::size_t i = 0; i < vectors[0].size(); ++i) expected += vectors[0][i].p * solved[i].p + vectors[0][i].q * solved[i].q;
+    for (std::size_t i = 0; i < halves[0].size(); ++i) product += halves[0][i] * halves[1][i];
+    EXPECT_NEAR(product, expected, 1e-9 * (1 + std::abs(expected)));
+  }
+}
+
 TEST(PairLdl, RefusesWhatIsNotPositiveDefinite) {
   std::mt19937 random(5);
   const auto refused = [](const PairMatrix& matrix) {
@@ -125,11 +168,11 @@ TEST(PairLdl, KeepsWhatIsHeldWeakly) {
   matrix.add(0, 0, {1 + weak, 0, 0, weak});
   matrix.add(1, 1, {1 + weak, 0, 0, weak});
   matrix.add(1, 0, {-1, 0, 0, 0});
-  const auto x = PairLdl(matrix).solve({{weak, 2 * weak}, {weak, 3 * weak}});
-  EXPECT_NEAR(x[0].p.real(), 1, 1e-6);
-  EXPECT_NEAR(x[1].p.real(), 1, 1e-6);
-  EXPECT_NEAR(x[0].q.real(), 2, 1e-6);
-  EXPECT_NEAR(x[1].q.real(), 3, 1e-6);
+  const auto x = PairLdl(matrix).solve(std::vector<RealPair>{{weak, 2 * weak}, {weak, 3 * weak}});
+  EXPECT_NEAR(x[0].p, 1, 1e-6);
+  EXPECT_NEAR(x[1].p, 1, 1e-6);
+  EXPECT_NEAR(x[0].q, 2, 1e-6);
+  EXPECT_NEAR(x[1].q, 3, 1e-6);
 }
 
 }  // namespace

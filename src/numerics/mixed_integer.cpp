@@ -27,48 +27,29 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-// The problem with its unknowns split:  A = [real, coupling'; coupling, integral].
-struct Split {
-  std::vector<char> is_integer;  // per unknown
-  std::vector<int> place;        // per unknown: among the reals or among the integers
-  int reals = 0;
-  int integers = 0;
-  std::vector<Entry<double>> real;      // lower triangle
-  std::vector<Entry<double>> integral;  // lower triangle
-  std::vector<SparseVector> coupling;   // per integer, over the reals
-  std::vector<double> real_diagonal, integral_diagonal;
-  std::vector<double> real_b, integral_b;
-};
-
-void number_unknowns(const MixedIntegerProblem& problem, Split& split) {
-  split.is_integer.assign(at(problem.size), 0);
-  for (int i : problem.integers) split.is_integer[at(i)] = 1;
-  split.place.resize(at(problem.size));
-  for (int i = 0; i < problem.size; ++i) {
-    const bool integer = split.is_integer[at(i)] != 0;
-    split.place[at(i)] = integer ? split.integers++ : split.reals++;
-    (integer ? split.integral_b : split.real_b).push_back(problem.b[at(i)]);
-  }
+int integer_count(const MixedIntegerProblem& problem) {
+  return static_cast<int>(problem.integral_b.size());
 }
 
-Split split_problem(const MixedIntegerProblem& problem) {
-  Split split;
-  number_unknowns(problem, split);
-  split.coupling.resize(at(split.integers));
-  split.real_diagonal.resize(at(split.reals));
-  split.integral_diagonal.resize(at(split.integers));
-  split.real.reserve(problem.lower.size());
-  for (const auto& e : problem.lower) {
-    const bool row_integer = split.is_integer[at(e.row)] != 0;
-    const int row = split.place[at(e.row)], column = split.place[at(e.column)];
-    if (row_integer != (split.is_integer[at(e.column)] != 0)) {
-      split.coupling[at(row_integer ? row : column)].push_back({row_integer ? column : row, e.value});
-      continue;
-    }
-    (row_integer ? split.integral : split.real).push_back({row, column, e.value});
-    if (row == column) (row_integer ? split.integral_diagonal : split.real_diagonal)[at(row)] += e.value;
-  }
-  return split;
+std::vector<double> integral_diagonal(const MixedIntegerProblem& problem) {
+  std::vector<double> diagonal(problem.integral_b.size(), 0.0);
+  for (const auto& e : problem.integral)
+    if (e.row == e.column) diagonal[at(e.row)] += e.value;
+  return diagonal;
+}
+
+double& scalar(std::vector<RealPair>& reals, int index) {
+  return index % 2 == 0 ? reals[at(index / 2)].p : reals[at(index / 2)].q;
+}
+
+double scalar(const std::vector<RealPair>& reals, int index) {
+  return index % 2 == 0 ? reals[at(index / 2)].p : reals[at(index / 2)].q;
+}
+
+double dot(const std::vector<RealPair>& a, const std::vector<RealPair>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].p * b[i].p + a[i].q * b[i].q;
+  return sum;
 }
 
 // x' S x / 2 - h' x + constant: the least energy that the integers x allow, the reals having answered.
@@ -130,15 +111,17 @@ class Accumulator {
 };
 
 // The lower triangle of  S = integral - coupling real^(-1) coupling', by rows; the second part by products of half-solved rows.
-std::vector<SparseVector> schur_complement(const Split& split, SparseLdl& factor) {
-  std::vector<SparseVector> rows(at(split.integers)), integral(at(split.integers)), by_real(at(split.reals));
-  for (const auto& e : split.integral) integral[at(e.row)].push_back({e.column, e.value});
-  Accumulator sum(split.integers);
-  for (int i = 0; i < split.integers; ++i) {
-    const double floor = kHalfSolveFloor * std::sqrt(std::max(0.0, split.integral_diagonal[at(i)]));
+std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, PairLdl& factor) {
+  const int size = integer_count(problem);
+  const std::vector<double> diagonal = integral_diagonal(problem);
+  std::vector<SparseVector> rows(at(size)), integral(at(size)), by_real(2 * problem.real_b.size());
+  for (const auto& e : problem.integral) integral[at(e.row)].push_back({e.column, e.value});
+  Accumulator sum(size);
+  for (int i = 0; i < size; ++i) {
+    const double floor = kHalfSolveFloor * std::sqrt(std::max(0.0, diagonal[at(i)]));
     sum.add(i, 0);
     for (const SparseTerm& term : integral[at(i)]) sum.add(term.index, term.value);
-    for (const SparseTerm& mine : factor.half_solve(split.coupling[at(i)], floor)) {
+    for (const SparseTerm& mine : factor.half_solve(problem.coupling[at(i)], floor)) {
       by_real[at(mine.index)].push_back({i, mine.value});
       for (const SparseTerm& other : by_real[at(mine.index)]) sum.add(other.index, -mine.value * other.value);
     }
@@ -148,12 +131,13 @@ std::vector<SparseVector> schur_complement(const Split& split, SparseLdl& factor
 }
 
 // `answer`: the reals when all integers are zero.
-Reduced reduce(const Split& split, SparseLdl& factor, const std::vector<double>& answer) {
-  Reduced reduced{std::vector<SparseVector>(at(split.integers)), {}, split.integral_b, -dot(split.real_b, answer) / 2};
-  for (int i = 0; i < split.integers; ++i)
-    for (const SparseTerm& term : split.coupling[at(i)]) reduced.h[at(i)] -= term.value * answer[at(term.index)];
-  const std::vector<SparseVector> lower = schur_complement(split, factor);
-  for (int i = 0; i < split.integers; ++i)
+Reduced reduce(const MixedIntegerProblem& problem, PairLdl& factor, const std::vector<RealPair>& answer) {
+  const int size = integer_count(problem);
+  Reduced reduced{std::vector<SparseVector>(at(size)), {}, problem.integral_b, -dot(problem.real_b, answer) / 2};
+  for (int i = 0; i < size; ++i)
+    for (const SparseTerm& term : problem.coupling[at(i)]) reduced.h[at(i)] -= term.value * scalar(answer, term.index);
+  const std::vector<SparseVector> lower = schur_complement(problem, factor);
+  for (int i = 0; i < size; ++i)
     for (const SparseTerm& term : lower[at(i)]) {
       if (term.index == i) {
         reduced.diagonal.push_back(term.value);
@@ -249,22 +233,25 @@ std::vector<double> descend(const Reduced& reduced, std::vector<double> x) {
 }
 
 void require_finite(const MixedIntegerProblem& problem) {
-  bool finite = std::all_of(problem.b.begin(), problem.b.end(), [](double v) { return std::isfinite(v); });
-  for (const auto& e : problem.lower) finite = finite && std::isfinite(e.value);
-  if (!finite) throw Error(ErrorCode::numerics, "A linear system holds a value that is not finite.");
-}
-
-double energy_at(const MixedIntegerProblem& problem, const std::vector<double>& x) {
-  double energy = -dot(problem.b, x);
-  for (const auto& e : problem.lower) energy += (e.row == e.column ? 0.5 : 1.0) * e.value * x[at(e.row)] * x[at(e.column)];
-  return energy;
+  double sum = 0;  // of zeros, unless a value is not finite
+  const auto add = [&](double value) { sum += 0 * value; };
+  const auto add_block = [&](const Block& x) { add(x.a), add(x.b), add(x.c), add(x.d); };
+  for (const Block& block : problem.reals.diagonal()) add_block(block);
+  for (const Block& block : problem.reals.blocks()) add_block(block);
+  for (const RealPair& b : problem.real_b) add(b.p), add(b.q);
+  for (const SparseVector& row : problem.coupling)
+    for (const SparseTerm& term : row) add(term.value);
+  for (const auto& e : problem.integral) add(e.value);
+  for (const double b : problem.integral_b) add(b);
+  if (std::isnan(sum)) throw Error(ErrorCode::numerics, "A linear system holds a value that is not finite.");
 }
 
 // The reals, given the integers.
-std::vector<double> answer_of_reals(const Split& split, const SparseLdl& factor, const std::vector<double>& integers) {
-  std::vector<double> b = split.real_b;
-  for (int i = 0; i < split.integers; ++i)
-    for (const SparseTerm& term : split.coupling[at(i)]) b[at(term.index)] -= term.value * integers[at(i)];
+std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const PairLdl& factor,
+                                      const std::vector<double>& integers) {
+  std::vector<RealPair> b = problem.real_b;
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    for (const SparseTerm& term : problem.coupling[i]) scalar(b, term.index) -= term.value * integers[i];
   return factor.solve(b);
 }
 
@@ -272,19 +259,15 @@ std::vector<double> answer_of_reals(const Split& split, const SparseLdl& factor,
 
 MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem) {
   require_finite(problem);
-  const Split split = split_problem(problem);
-  SparseLdl factor(split.reals, split.real, split.real_diagonal);
-  const Reduced reduced = reduce(split, factor, factor.solve(split.real_b));
-  SparseLdl integer_factor = factorise(reduced, split.integral_diagonal);
+  PairLdl factor(problem.reals);
+  const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b));
+  SparseLdl integer_factor = factorise(reduced, integral_diagonal(problem));
   const std::vector<double> relaxed = integer_factor.solve(reduced.h);
   const std::vector<double> greedy = round_greedily(relaxed, integer_factor);
-  const std::vector<double> integers = descend(reduced, greedy);
-  const std::vector<double> reals = answer_of_reals(split, factor, integers);
-
   MixedIntegerSolution solution;
-  for (int i = 0; i < problem.size; ++i)
-    solution.x.push_back((split.is_integer[at(i)] ? integers : reals)[at(split.place[at(i)])]);
-  solution.energy = energy_at(problem, solution.x);
+  solution.integers = descend(reduced, greedy);
+  solution.reals = answer_of_reals(problem, factor, solution.integers);
+  solution.energy = reduced.energy(solution.integers);
   solution.greedy_energy = reduced.energy(greedy);
   solution.relaxed_energy = reduced.energy(relaxed);
   return solution;

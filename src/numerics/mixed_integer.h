@@ -7,23 +7,26 @@
 
 #include <vector>
 
+#include "numerics/pair_ldl.h"
 #include "numerics/spd_solver.h"
 
 namespace inkgrid {
 
-// minimise  x' A x / 2 - b' x  with x[i] integer for each i in `integers`.
+// minimise  x' A x / 2 - b' x  where x are pairs of reals and, after them, integers; A is symmetric positive definite.
 struct MixedIntegerProblem {
-  int size = 0;
-  std::vector<Entry<double>> lower;  // lower triangle of A, symmetric positive definite; duplicates add up
-  std::vector<double> b;
-  std::vector<int> integers;  // ascending
+  PairMatrix reals{0, {}};              // A between the reals
+  std::vector<RealPair> real_b;         // per pair
+  std::vector<SparseVector> coupling;   // per integer: its row of A over the reals; terms at the same place add up
+  std::vector<Entry<double>> integral;  // lower triangle of A between the integers; entries at the same place add up
+  std::vector<double> integral_b;       // per integer
 };
 
 struct MixedIntegerSolution {
-  std::vector<double> x;      // integer entries are exactly integral
-  double energy = 0;          // x' A x / 2 - b' x
-  double greedy_energy = 0;   // before the local search
-  double relaxed_energy = 0;  // its minimum over the reals
+  std::vector<RealPair> reals;
+  std::vector<double> integers;  // exactly integral
+  double energy = 0;             // x' A x / 2 - b' x
+  double greedy_energy = 0;      // before the local search
+  double relaxed_energy = 0;     // its minimum over the reals
 };
 
 // Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.

@@ -1,6 +1,8 @@
 #include "numerics/pair_ldl.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "inkgrid/inkgrid.h"
 #include "numerics/ordering.h"
@@ -49,20 +51,9 @@ Block inverse(const Block& x) {
   return {scale * x.d, -scale * x.b, -scale * x.c, scale * x.a};
 }
 
-ComplexPair product(const Block& x, const ComplexPair& v) {
+template <class Scalar>
+Pair<Scalar> product(const Block& x, const Pair<Scalar>& v) {
   return {x.a * v.p + x.b * v.q, x.c * v.p + x.d * v.q};
-}
-
-// sum += sign x v
-void add_product(ComplexPair& sum, double sign, const Block& x, const ComplexPair& v) {
-  sum.p += sign * (x.a * v.p + x.b * v.q);
-  sum.q += sign * (x.c * v.p + x.d * v.q);
-}
-
-// sum += sign x' v
-void add_transposed_product(ComplexPair& sum, double sign, const Block& x, const ComplexPair& v) {
-  sum.p += sign * (x.a * v.p + x.c * v.q);
-  sum.q += sign * (x.b * v.p + x.d * v.q);
 }
 
 // Turns counts, one place ahead, into the starts of lists.
@@ -171,16 +162,18 @@ void PairMatrix::add(int i, int j, const Block& block) {
 std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) const {
   std::vector<ComplexPair> y(x.size());
   for (int j = 0; j < size(); ++j) {
-    add_product(y[at(j)], 1, diagonal_[at(j)], x[at(j)]);
+    ComplexPair sum = product(diagonal_[at(j)], x[at(j)]);
     for (int k = starts_[at(j)]; k < starts_[at(j) + 1]; ++k) {
-      add_product(y[at(rows_[at(k)])], 1, blocks_[at(k)], x[at(j)]);
-      add_transposed_product(y[at(j)], 1, blocks_[at(k)], x[at(rows_[at(k)])]);
+      y[at(rows_[at(k)])] += product(blocks_[at(k)], x[at(j)]);
+      sum += product(transposed(blocks_[at(k)]), x[at(rows_[at(k)])]);
     }
+    y[at(j)] += sum;
   }
   return y;
 }
 
-PairLdl::PairLdl(const PairMatrix& matrix) : places_(elimination_places(matrix.starts(), matrix.rows())) {
+PairLdl::PairLdl(const PairMatrix& matrix)
+    : places_(elimination_places(matrix.starts(), matrix.rows())), work_(places_.size()), marked_(places_.size(), 0) {
   const std::size_t size = places_.size();
   const Rows rows = permuted_rows(matrix, places_);
   std::vector<Block> pivots(size);
@@ -215,22 +208,65 @@ PairLdl::PairLdl(const PairMatrix& matrix) : places_(elimination_places(matrix.s
   }
 }
 
-std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>& right) const {
+template <class Scalar>
+std::vector<Pair<Scalar>> PairLdl::solve(const std::vector<Pair<Scalar>>& right) const {
   const int size = static_cast<int>(places_.size());
-  std::vector<ComplexPair> y(right.size());
+  std::vector<Pair<Scalar>> y(right.size());
   for (int i = 0; i < size; ++i) y[at(places_[at(i)])] = right[at(i)];
   for (int k = 0; k < size; ++k) {
-    const ComplexPair yk = y[at(k)];
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) add_product(y[at(rows_[at(e)])], -1, blocks_[at(e)], yk);
+    const Pair<Scalar> yk = y[at(k)];
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) y[at(rows_[at(e)])] -= product(blocks_[at(e)], yk);
   }
   for (int k = size - 1; k >= 0; --k) {
-    ComplexPair yk = product(inverse_pivots_[at(k)], y[at(k)]);
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) add_transposed_product(yk, -1, blocks_[at(e)], y[at(rows_[at(e)])]);
+    Pair<Scalar> yk = product(inverse_pivots_[at(k)], y[at(k)]);
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) yk -= product(transposed(blocks_[at(e)]), y[at(rows_[at(e)])]);
     y[at(k)] = yk;
   }
-  std::vector<ComplexPair> x(right.size());
+  std::vector<Pair<Scalar>> x(right.size());
   for (int i = 0; i < size; ++i) x[at(i)] = y[at(places_[at(i)])];
   return x;
+}
+
+template std::vector<RealPair> PairLdl::solve(const std::vector<RealPair>&) const;
+template std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>&) const;
+
+// The columns that a solve with the right hand side `a` visits, each after those it depends on: the paths from its terms to the
+// root.
+std::vector<int> PairLdl::reach(const SparseVector& a) {
+  const auto parent = [&](int k) { return starts_[at(k)] < starts_[at(k) + 1] ? rows_[at(starts_[at(k)])] : -1; };
+  std::vector<int> reversed, path;
+  for (const SparseTerm& term : a) {
+    path.clear();
+    for (int k = places_[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = parent(k)) {
+      marked_[at(k)] = 1;
+      path.push_back(k);
+    }
+    reversed.insert(reversed.end(), path.rbegin(), path.rend());
+  }
+  for (const int k : reversed) marked_[at(k)] = 0;
+  std::reverse(reversed.begin(), reversed.end());
+  return reversed;
+}
+
+SparseVector PairLdl::half_solve(const SparseVector& a, double floor) {
+  const std::vector<int> columns = reach(a);
+  for (const SparseTerm& term : a) {
+    RealPair& pair = work_[at(places_[at(term.index / 2)])];
+    (term.index % 2 == 0 ? pair.p : pair.q) += term.value;
+  }
+  SparseVector result;
+  for (const int k : columns) {
+    const RealPair yk = std::exchange(work_[at(k)], {});
+    // D^(-1) = C C' with C = [root, 0; inverse.b / root, rest]; the terms are those of C' y.
+    const Block& inverse = inverse_pivots_[at(k)];
+    const double root = std::sqrt(inverse.a), rest = std::sqrt(std::max(0.0, inverse.d - inverse.b * inverse.b / inverse.a));
+    const double first = root * yk.p + inverse.b / root * yk.q, second = rest * yk.q;
+    if (std::abs(first) > floor) result.push_back({2 * k, first});
+    if (std::abs(second) > floor) result.push_back({2 * k + 1, second});
+    if (std::abs(first) <= floor && std::abs(second) <= floor) continue;
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) work_[at(rows_[at(e)])] -= product(blocks_[at(e)], yk);
+  }
+  return result;
 }
 
 }  // namespace inkgrid

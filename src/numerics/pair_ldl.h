@@ -1,5 +1,5 @@
 // What:   symmetric positive definite systems with two unknowns a node, as 2 x 2 blocks.
-// Source: section 6.1, "Computation"; up-looking factorisation along the elimination tree (Davis 2006, chapter 4).
+// Source: sections 6.1 and 6.2, the linear systems of the field and of the map; up-looking factorisation along the elimination tree (Davis 2006, chapter 4).
 // Differs: nothing.
 // Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
 #pragma once
@@ -22,9 +22,28 @@ struct Block {
 };
 
 // The two unknowns of a node.
-struct ComplexPair {
-  std::complex<double> p, q;
+template <class Scalar>
+struct Pair {
+  Scalar p{}, q{};
+
+  Pair& operator+=(const Pair& o) {
+    p += o.p, q += o.q;
+    return *this;
+  }
+  Pair& operator-=(const Pair& o) {
+    p -= o.p, q -= o.q;
+    return *this;
+  }
 };
+using RealPair = Pair<double>;
+using ComplexPair = Pair<std::complex<double>>;
+
+// A term of a sparse vector; over pairs, index 2 node is p and 2 node + 1 is q.
+struct SparseTerm {
+  int index;
+  double value;
+};
+using SparseVector = std::vector<SparseTerm>;
 
 // Symmetric; the diagonal blocks are symmetric themselves.
 class PairMatrix {
@@ -56,14 +75,23 @@ class PairLdl {
   // Throws Error{numerics} where the matrix is not positive definite.
   explicit PairLdl(const PairMatrix& matrix);
 
-  std::vector<ComplexPair> solve(const std::vector<ComplexPair>& right) const;
+  // For real and for complex pairs.
+  template <class Scalar>
+  std::vector<Pair<Scalar>> solve(const std::vector<Pair<Scalar>>& right) const;
+
+  // D^(-1/2) L^(-1) P a without its terms below `floor` (in size), so that dot products of such vectors are a' A^(-1) b.
+  SparseVector half_solve(const SparseVector& a, double floor);
 
  private:
+  std::vector<int> reach(const SparseVector& a);
+
   std::vector<int> places_;  // of each node in the order of elimination
   std::vector<int> starts_;  // L by columns, its unit diagonal left out
-  std::vector<int> rows_;
+  std::vector<int> rows_;    // ascending in each column
   std::vector<Block> blocks_;
   std::vector<Block> inverse_pivots_;
+  std::vector<RealPair> work_;  // zero between calls
+  std::vector<char> marked_;    // zero between calls
 };
 
 }  // namespace inkgrid

@@ -28,7 +28,7 @@ Eigen::SparseMatrix<double> sparse_matrix(int size, const std::vector<Entry<doub
 }  // namespace
 
 SparseLdl::SparseLdl(int size, const std::vector<Entry<double>>& lower, const std::vector<double>& scale)
-    : size_(size), start_(at(size) + 1, 0), removed_(at(size), 0), work_(at(size), 0.0), marked_(at(size), 0) {
+    : size_(size), start_(at(size) + 1, 0), removed_(at(size), 0), work_(at(size), 0.0) {
   if (size == 0) return;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> ldlt(sparse_matrix(size, lower));
   if (ldlt.info() != Eigen::Success) throw Error(ErrorCode::numerics, "The matrix of a linear system is singular.");
@@ -73,38 +73,6 @@ std::vector<double> SparseLdl::solve(const std::vector<double>& b) const {
   std::vector<double> x(at(size_));
   for (int i = 0; i < size_; ++i) x[at(i)] = y[at(place_[at(i)])];
   return x;
-}
-
-// The columns that a solve with the right hand side `a` visits, each after those it depends on: the paths from its terms to the
-// root.
-std::vector<int> SparseLdl::reach(const SparseVector& a) {
-  std::vector<int> reversed, path;
-  for (const SparseTerm& term : a) {
-    path.clear();
-    for (int k = place_[at(term.index)]; k >= 0 && !marked_[at(k)]; k = parent(k)) {
-      marked_[at(k)] = 1;
-      path.push_back(k);
-    }
-    reversed.insert(reversed.end(), path.rbegin(), path.rend());
-  }
-  for (int k : reversed) marked_[at(k)] = 0;
-  std::reverse(reversed.begin(), reversed.end());
-  return reversed;
-}
-
-SparseVector SparseLdl::half_solve(const SparseVector& a, double floor) {
-  const std::vector<int> columns = reach(a);
-  for (const SparseTerm& term : a) work_[at(place_[at(term.index)])] += term.value;
-  SparseVector result;
-  for (int k : columns) {
-    const double yk = work_[at(k)];
-    work_[at(k)] = 0;
-    const double term = yk / std::sqrt(pivot_[at(k)]);
-    if (removed_[at(k)] || std::abs(term) <= floor) continue;
-    result.push_back({k, term});
-    for (int p = start_[at(k)]; p < start_[at(k) + 1]; ++p) work_[at(row_[at(p)])] -= value_[at(p)] * yk;
-  }
-  return result;
 }
 
 void SparseLdl::remove(int i) {

@@ -1,4 +1,4 @@
-// What:   sparse symmetric positive definite systems, with the linear algebra library behind a fence.
+// What:   sparse symmetric positive definite systems whose unknowns are held at zero one after the other.
 // Source: section 6.2, "Final optimization"; rank-one changes of a factor after Gill, Golub, Murray and Saunders (1974).
 // Cost:   one factorisation; a removal costs the columns of the factor between the unknown and the root.
 #pragma once
@@ -15,12 +15,6 @@ struct Entry {
   Scalar value;
 };
 
-struct SparseTerm {
-  int index;
-  double value;
-};
-using SparseVector = std::vector<SparseTerm>;
-
 // A = P' L D L' P, with P chosen for little fill-in.
 class SparseLdl {
  public:
@@ -30,15 +24,11 @@ class SparseLdl {
 
   std::vector<double> solve(const std::vector<double>& b) const;
 
-  // D^(-1/2) L^(-1) P a without its terms below `floor` (in size), so that dot products of such vectors are a' A^(-1) b.
-  SparseVector half_solve(const SparseVector& a, double floor);
-
   // From now on unknown i is held at zero: the others form the system without its row and column.
   void remove(int i);
 
  private:
   int parent(int column) const;  // of the elimination tree, or -1
-  std::vector<int> reach(const SparseVector& a);
 
   int size_;
   std::vector<int> place_;  // of each unknown in the order of elimination
@@ -48,7 +38,6 @@ class SparseLdl {
   std::vector<double> pivot_;  // D
   std::vector<char> removed_;  // by place
   std::vector<double> work_;   // zero between calls
-  std::vector<char> marked_;   // zero between calls
 };
 
 }  // namespace inkgrid
