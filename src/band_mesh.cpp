@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "base/sample.h"
 #include "base/union_find.h"
@@ -69,7 +70,8 @@ class Refinement {
     const Lattice lattice(side_);
     std::vector<LatticeTriangle> leaves;
     for_each_root(lattice, [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, leaves); });
-    if (levels_ > 0) leaves = conforming(leaves);
+    if (levels_ == 0) return leaves;
+    leaves = conforming(leaves);
     std::erase_if(leaves, [&](const LatticeTriangle& t) { return !in_band(lattice.barycentre(t)); });
     return leaves;
   }
@@ -77,7 +79,7 @@ class Refinement {
   bool in_band(Vec2 p) const {
     // Triangles that only reach into the image cover its last row of pixels.
     const Vec2 inside{std::clamp(p.x, 0.0, ink_.width() - 1e-6), std::clamp(p.y, 0.0, ink_.height() - 1e-6)};
-    if (norm(p - inside) > side_) return false;
+    if (norm2(p - inside) > side_ * side_) return false;
     p = inside;
     const double reach = options_.reach * ink_.stroke_width * mask_factor(mask_, p), gap = bilinear(ink_.gap, p);
     if (gap < reach || nearest(ink_.mask, p, std::uint8_t{0})) return true;
@@ -112,8 +114,16 @@ class Refinement {
       for (int i = floor_step(left) - step; i <= right; i += step) {
         visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
         visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
+        i += step * clear_cells(lattice.at({i, j}), step);
       }
     }
+  }
+
+  // How many of the next cells of a row are out of reach for sure: the interpolated distance to the ink changes by no more than
+  // sqrt 2 px a pixel.
+  int clear_cells(Vec2 p, int step) const {
+    const double cell = side_ * step, clear = (bilinear(ink_.gap, p) - far_from_band(cell)) / std::numbers::sqrt2;
+    return std::max(0, static_cast<int>(clear / cell) - 3);
   }
 
   // Largest mask factor allowed for a triangle of this level (its side is 2^level finest sides).
@@ -125,7 +135,11 @@ class Refinement {
   }
 
   void split_where_needed(const Lattice& lattice, const LatticeTriangle& t, int level, std::vector<LatticeTriangle>& out) const {
-    if (!near_band(lattice.barycentre(t), side_ * (1 << level))) return;
+    if (levels_ == 0) {
+      if (in_band(lattice.barycentre(t))) out.push_back(t);
+      return;
+    }
+    if (bilinear(ink_.gap, lattice.barycentre(t)) > far_from_band(side_ * (1 << level))) return;
     if (level == 0 || fine_enough(lattice, t, level)) {
       out.push_back(t);
       return;
@@ -133,9 +147,10 @@ class Refinement {
     for (const auto& child : quartered(t)) split_where_needed(lattice, child, level - 1, out);
   }
 
-  bool near_band(Vec2 p, double margin) const {
+  // Distance to the ink beyond which a triangle with sides of this length has nothing of the band.
+  double far_from_band(double side) const {
     const double largest = mask_ ? finest_ * (1 << levels_) : 1;
-    return bilinear(ink_.gap, p) <= options_.reach * ink_.stroke_width * largest + 4 * margin;
+    return options_.reach * ink_.stroke_width * largest + 4 * side;
   }
 
   static std::array<LatticeTriangle, 4> quartered(const LatticeTriangle& t) {
@@ -202,46 +217,57 @@ class Refinement {
   double finest_ = 1;
 };
 
+// Sorts items by an integer key, stably.
+template <class Key>
+std::vector<int> sorted_by(const std::vector<int>& items, Key key) {
+  if (items.empty()) return {};
+  int low = key(items[0]), high = low;
+  for (const int item : items) {
+    low = std::min(low, key(item));
+    high = std::max(high, key(item));
+  }
+  std::vector<int> next(static_cast<std::size_t>(high - low) + 2, 0);
+  for (const int item : items) ++next[static_cast<std::size_t>(key(item) - low) + 1];
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  std::vector<int> sorted(items.size());
+  for (const int item : items) sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(item) - low)]++)] = item;
+  return sorted;
+}
+
 // Numbers the lattice points that are used, in lattice order.
 void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice& lattice, BandMesh& mesh) {
-  std::vector<LatticePoint> used;
-  used.reserve(3 * triangles.size());
-  for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  mesh.points.reserve(used.size());
-  for (const auto p : used) mesh.points.push_back(lattice.at(p));
-  mesh.lattice = used;
-  mesh.faces.reserve(triangles.size());
-  for (const auto& t : triangles) {
-    std::array<int, 3> face;
-    for (std::size_t k = 0; k < 3; ++k)
-      face[k] = static_cast<int>(std::lower_bound(used.begin(), used.end(), t[k]) - used.begin());
-    mesh.faces.push_back(face);
+  const auto point = [&](int corner) {
+    return triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)];
+  };
+  std::vector<int> corners(3 * triangles.size());
+  std::iota(corners.begin(), corners.end(), 0);
+  corners = sorted_by(corners, [&](int c) { return point(c).i; });
+  corners = sorted_by(corners, [&](int c) { return point(c).j; });
+  mesh.faces.resize(triangles.size());
+  for (const int c : corners) {
+    if (mesh.lattice.empty() || !(mesh.lattice.back() == point(c))) mesh.lattice.push_back(point(c));
+    mesh.faces[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)] = static_cast<int>(mesh.lattice.size()) - 1;
   }
+  mesh.points.reserve(mesh.lattice.size());
+  for (const auto p : mesh.lattice) mesh.points.push_back(lattice.at(p));
 }
 
 void link_twins(BandMesh& mesh) {
-  struct Side {
-    int low, high, halfedge;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.faces.size());
-  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+  const auto ends = [&](int h) {
     const auto& t = mesh.faces[static_cast<std::size_t>(face_of(h))];
-    const int a = t[static_cast<std::size_t>(h % 3)], b = t[static_cast<std::size_t>((h + 1) % 3)];
-    sides.push_back({std::min(a, b), std::max(a, b), h});
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    if (x.low != y.low) return x.low < y.low;
-    return x.high != y.high ? x.high < y.high : x.halfedge < y.halfedge;
-  });
-  mesh.twins.assign(3 * mesh.faces.size(), -1);
-  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-    if (sides[k].low != sides[k + 1].low || sides[k].high != sides[k + 1].high) continue;
-    mesh.twins[static_cast<std::size_t>(sides[k].halfedge)] = sides[k + 1].halfedge;
-    mesh.twins[static_cast<std::size_t>(sides[k + 1].halfedge)] = sides[k].halfedge;
-  }
+    return std::minmax(t[static_cast<std::size_t>(h % 3)], t[static_cast<std::size_t>((h + 1) % 3)]);
+  };
+  std::vector<int> halfedges(3 * mesh.faces.size());
+  std::iota(halfedges.begin(), halfedges.end(), 0);
+  halfedges = sorted_by(halfedges, [&](int h) { return ends(h).first; });
+  mesh.twins.assign(halfedges.size(), -1);
+  // At most two halfedges join two points, and few start at one.
+  for (std::size_t k = 0; k < halfedges.size(); ++k)
+    for (std::size_t l = k + 1; l < halfedges.size() && ends(halfedges[l]).first == ends(halfedges[k]).first; ++l) {
+      if (ends(halfedges[l]).second != ends(halfedges[k]).second) continue;
+      mesh.twins[static_cast<std::size_t>(halfedges[k])] = halfedges[l];
+      mesh.twins[static_cast<std::size_t>(halfedges[l])] = halfedges[k];
+    }
 }
 
 // Gives each fan of faces around a point a vertex of its own.

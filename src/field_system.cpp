@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/raster.h"
+#include "base/sample.h"
 
 namespace inkgrid {
 namespace {
@@ -42,12 +42,13 @@ Raster<float> blurred(const Raster<float>& in, double sigma) {
   const auto kernel = gaussian_kernel(sigma);
   const int r = static_cast<int>(kernel.size() / 2);
   Raster<float> rows(in.width, in.height), out(in.width, in.height);
-  for (int y = 0; y < in.height; ++y)
-    for (int x = 0; x < in.width; ++x) {
-      float sum = 0;
-      for (int k = -r; k <= r; ++k) sum += kernel[static_cast<std::size_t>(k + r)] * in(std::clamp(x + k, 0, in.width - 1), y);
-      rows(x, y) = sum;
-    }
+  std::vector<float> line(static_cast<std::size_t>(in.width + 2 * r));  // a row that goes on beyond the border as it ends
+  for (int y = 0; y < in.height; ++y) {
+    for (int x = -r; x < in.width + r; ++x) line[static_cast<std::size_t>(x + r)] = in(std::clamp(x, 0, in.width - 1), y);
+    float* const to = &rows.data[rows.index(0, y)];
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (int x = 0; x < in.width; ++x) to[x] += kernel[k] * line[static_cast<std::size_t>(x) + k];
+  }
   for (int y = 0; y < in.height; ++y)
     for (int k = -r; k <= r; ++k) {
       const float weight = kernel[static_cast<std::size_t>(k + r)];
@@ -69,9 +70,9 @@ Vec2 gradient(const Raster<float>& r, int x, int y) {
 template <class Visit>
 void for_each_pixel(const std::array<Vec2, 3>& p, int width, int height, Visit visit) {
   const double area = cross(p[1] - p[0], p[2] - p[0]);
-  const auto first = [](double v) { return std::max(0, static_cast<int>(std::ceil(v - 0.5))); };
-  const int y1 = std::min(height - 1, static_cast<int>(std::floor(std::max({p[0].y, p[1].y, p[2].y}) - 0.5)));
-  const int x1 = std::min(width - 1, static_cast<int>(std::floor(std::max({p[0].x, p[1].x, p[2].x}) - 0.5)));
+  const auto first = [](double v) { return std::max(0, -floor_of(0.5 - v)); };
+  const int y1 = std::min(height - 1, floor_of(std::max({p[0].y, p[1].y, p[2].y}) - 0.5));
+  const int x1 = std::min(width - 1, floor_of(std::max({p[0].x, p[1].x, p[2].x}) - 0.5));
   for (int y = first(std::min({p[0].y, p[1].y, p[2].y})); y <= y1; ++y)
     for (int x = first(std::min({p[0].x, p[1].x, p[2].x})); x <= x1; ++x) {
       const Vec2 q{x + 0.5, y + 0.5};
@@ -114,8 +115,15 @@ struct FaceNodes {
 
 // The terms of one face, among its nodes.
 struct FaceSystem {
-  std::array<std::array<Block, 6>, 6> matrix = {};  // [row][column], row >= column
-  std::array<ComplexPair, 6> right = {};
+  std::array<std::array<Block, 6>, 6> matrix;  // [row][column], row >= column
+  std::array<ComplexPair, 6> right;
+
+  explicit FaceSystem(int count) {
+    for (std::size_t i = 0; i < at(count); ++i) {
+      std::fill_n(matrix[i].begin(), i + 1, Block{});
+      right[i] = {};
+    }
+  }
 };
 
 // The Dirichlet energy of c0 and c2 with linear elements; |grad c0|^2 + |grad c2|^2 = 2 |grad p|^2 + 2 |grad q|^2.
@@ -153,22 +161,21 @@ void add_alignment(const std::array<Vec2, 3>& p, const Raster<float>& darkness, 
   });
 }
 
-std::vector<std::array<int, 2>> edges_between_nodes(const std::vector<FaceNodes>& faces) {
+std::vector<std::array<int, 2>> edges_between_nodes(const BandMesh& mesh, const FieldSpace& space) {
   std::vector<std::array<int, 2>> edges;
-  edges.reserve(3 * faces.size());
-  for (const FaceNodes& nodes : faces)
+  edges.reserve(3 * mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const FaceNodes nodes(mesh, space, f);
     for (int i = 0; i < nodes.count; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({nodes.node[at(i)], nodes.node[at(j)]});
+  }
   return edges;
 }
 
 }  // namespace
 
 FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink) {
-  std::vector<FaceNodes> faces;
-  faces.reserve(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) faces.emplace_back(mesh, space, f);
-  FieldSystem system{{space.size, edges_between_nodes(faces)},
+  FieldSystem system{{space.size, edges_between_nodes(mesh, space)},
                      std::vector<ComplexPair>(at(space.size)),
                      std::vector<double>(mesh.points.size(), 0.0)};
   const Raster<float> darkness = blurred(ink.darkness, blur_radius(ink.stroke_width));
@@ -177,13 +184,14 @@ FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const 
     const double unit = ink.stroke_width * static_cast<double>(mesh.scale[f]);
     const double third = cross(p[1] - p[0], p[2] - p[0]) / 6 / (unit * unit);
     for (const int v : mesh.faces[f]) system.orthogonality[at(v)] += kOrthogonality * third;
-    FaceSystem part;
-    add_smoothness(p, faces[f], part);
-    add_alignment(p, darkness, ink.stroke_width, faces[f], part);
-    for (int i = 0; i < faces[f].count; ++i) {
-      const int row = faces[f].node[at(i)];
+    const FaceNodes nodes(mesh, space, f);
+    FaceSystem part(nodes.count);
+    add_smoothness(p, nodes, part);
+    add_alignment(p, darkness, ink.stroke_width, nodes, part);
+    for (int i = 0; i < nodes.count; ++i) {
+      const int row = nodes.node[at(i)];
       system.right[at(row)] += part.right[at(i)];
-      for (int j = 0; j <= i; ++j) system.matrix.add(row, faces[f].node[at(j)], part.matrix[at(i)][at(j)]);
+      for (int j = 0; j <= i; ++j) system.matrix.add(row, nodes.node[at(j)], part.matrix[at(i)][at(j)]);
     }
   }
   for (int v = 0; v < mesh.vertex_count(); ++v)

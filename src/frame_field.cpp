@@ -21,11 +21,29 @@ Complex quarter_turned(Complex z) {
   return {-z.imag(), z.real()};
 }
 
-bool is_degenerate(const Frame& frame, const FieldOptions& options) {
-  const double a = norm(frame.a), b = norm(frame.b);
-  if (std::min(a, b) < options.degenerate_ratio * std::max(a, b)) return true;
-  const double sine = std::abs(cross(frame.a, frame.b)), cosine = std::abs(dot(frame.a, frame.b));
-  return std::atan2(sine, cosine) < options.degenerate_angle * std::numbers::pi / 180;
+// A frame is degenerate where its directions, or their lengths, differ by less than these.
+class Degeneracy {
+ public:
+  explicit Degeneracy(const FieldOptions& options)
+      : tangent_(std::tan(options.degenerate_angle * std::numbers::pi / 180)), ratio_(options.degenerate_ratio) {}
+
+  bool holds(const Frame& frame) const {
+    const double a = norm2(frame.a), b = norm2(frame.b);
+    if (std::min(a, b) < ratio_ * ratio_ * std::max(a, b)) return true;
+    return std::abs(cross(frame.a, frame.b)) < tangent_ * std::abs(dot(frame.a, frame.b));
+  }
+
+ private:
+  double tangent_;
+  double ratio_;
+};
+
+// The root with a real part of at least zero.
+Complex square_root(Complex z) {
+  const double size = std::sqrt(std::norm(z));
+  if (size == 0) return 0;
+  const double larger = std::sqrt(0.5 * (size + std::abs(z.real()))), smaller = 0.5 * std::abs(z.imag()) / larger;
+  return z.real() >= 0 ? Complex(larger, std::copysign(smaller, z.imag())) : Complex(smaller, std::copysign(larger, z.imag()));
 }
 
 double real_dot(const std::vector<ComplexPair>& a, const std::vector<ComplexPair>& b) {
@@ -109,11 +127,11 @@ void interpolate(const FieldSpace& space, const std::vector<ComplexPair>& x, Fra
 }  // namespace
 
 Frame frame_of(Complex c0, Complex c2) {
-  const Complex root = std::sqrt(c2 * c2 - 4.0 * c0);
+  const Complex root = square_root(c2 * c2 - 4.0 * c0);
   // The larger of the two squares first; the other follows from their product without cancellation.
-  const Complex larger = std::abs(-c2 + root) >= std::abs(-c2 - root) ? 0.5 * (-c2 + root) : 0.5 * (-c2 - root);
-  const Complex smaller = std::abs(larger) > 0 ? c0 / larger : Complex(0);
-  const Complex a = std::sqrt(larger), b = std::sqrt(smaller);
+  const Complex larger = std::norm(root - c2) >= std::norm(root + c2) ? 0.5 * (root - c2) : -0.5 * (root + c2);
+  const Complex smaller = std::norm(larger) > 0 ? c0 / larger : Complex(0);
+  const Complex a = square_root(larger), b = square_root(smaller);
   return {{a.real(), a.imag()}, {b.real(), b.imag()}};
 }
 
@@ -123,12 +141,13 @@ FrameField solve_field(const BandMesh& mesh, const Ink& ink, const FieldOptions&
   if (n == 0) return field;
   const FieldSpace space = coarse_space(mesh);
   const FieldSystem system = assemble_field(mesh, space, ink);
+  const Degeneracy degeneracy(options);
   for (ReweightedSystem reweighted(system);; ++field.rounds) {
     if (control.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
     interpolate(space, reweighted.solution(), field);
     int degenerate = 0;
     for (std::size_t v = 0; v < n; ++v) {
-      if (!is_degenerate(frame_of(field.c0[v], field.c2[v]), options)) continue;
+      if (!degeneracy.holds(frame_of(field.c0[v], field.c2[v]))) continue;
       ++degenerate;
       for (const int node : space.nodes[v]) reweighted.add_weight(node, 0.5 * system.orthogonality[v]);
     }

@@ -78,6 +78,44 @@ struct Envelope {
   }
 };
 
+// Per pixel: the distance to the next pixel of the mask in its column, at most `most`.
+Raster<std::uint16_t> column_distance(const Raster<std::uint8_t>& mask, std::uint16_t most) {
+  Raster<std::uint16_t> distance(mask.width, mask.height);
+  const auto next = [&](std::uint16_t d) { return std::min<std::uint16_t>(most, one_more(d)); };
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) distance(x, y) = mask(x, y) ? 0 : y == 0 ? most : next(distance(x, y - 1));
+  for (int y = mask.height - 2; y >= 0; --y)
+    for (int x = 0; x < mask.width; ++x) distance(x, y) = std::min(distance(x, y), next(distance(x, y + 1)));
+  return distance;
+}
+
+// Pixels within `radius` (Euclidean, between centres) of one of the mask: in each row, the union of the chords of the discs.
+Raster<std::uint8_t> dilated(const Raster<std::uint8_t>& mask, double radius) {
+  const int w = mask.width, reach = static_cast<int>(std::floor(std::max(0.0, radius)));
+  std::vector<int> half_chord;  // by the distance from the centre
+  for (int d = 0; d <= reach; ++d) half_chord.push_back(static_cast<int>(std::floor(std::sqrt(radius * radius - d * d) + 1e-9)));
+  const auto distance = column_distance(mask, static_cast<std::uint16_t>(reach + 1));
+  Raster<std::uint8_t> result(w, mask.height);
+  std::vector<int> change(static_cast<std::size_t>(w) + 1);  // of the number of chords over a pixel, from the one before
+  for (int y = 0; y < mask.height; ++y) {
+    std::fill(change.begin(), change.end(), 0);
+    for (int x = 0; x < w; ++x) {
+      if (distance(x, y) > reach) continue;
+      const int half = half_chord[distance(x, y)];
+      ++change[static_cast<std::size_t>(std::max(0, x - half))];
+      --change[static_cast<std::size_t>(std::min(w, x + half + 1))];
+    }
+    int chords = 0;
+    for (int x = 0; x < w; ++x) result(x, y) = (chords += change[static_cast<std::size_t>(x)]) > 0;
+  }
+  return result;
+}
+
+Raster<std::uint8_t> inverted(Raster<std::uint8_t> mask) {
+  for (auto& pixel : mask.data) pixel = !pixel;
+  return mask;
+}
+
 bool is_centre(const Raster<std::uint16_t>& depth, int x, int y) {
   const auto d = depth(x, y);
   if (d == 0) return false;
@@ -153,18 +191,16 @@ Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
 }
 
 Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
-  const auto r = static_cast<float>(radius);
   const int w = ink.width(), h = ink.height(), margin = static_cast<int>(std::ceil(radius)) + 1;
   // What lies on the border goes on beyond it, ink and paper alike.
-  Raster<std::uint8_t> far(w + 2 * margin, h + 2 * margin);
-  for (int y = 0; y < far.height; ++y)
-    for (int x = 0; x < far.width; ++x) far(x, y) = ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1));
-  const Raster<float> gap = distance_to(far);
-  for (std::size_t i = 0; i < far.data.size(); ++i) far.data[i] = gap.data[i] > r;
-  const Raster<float> inside = distance_to(far);
+  Raster<std::uint8_t> extended(w + 2 * margin, h + 2 * margin);
+  for (int y = 0; y < extended.height; ++y)
+    for (int x = 0; x < extended.width; ++x)
+      extended(x, y) = ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1));
+  const Raster<std::uint8_t> closing = inverted(dilated(inverted(dilated(extended, radius)), radius));
   Raster<std::uint8_t> closed(w, h);
   for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) closed(x, y) = ink.mask(x, y) || inside(x + margin, y + margin) > r;
+    for (int x = 0; x < w; ++x) closed(x, y) = ink.mask(x, y) || closing(x + margin, y + margin);
   return closed;
 }
 

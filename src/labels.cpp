@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 #include "base/sample.h"
 #include "base/transition.h"
@@ -25,38 +26,25 @@ Vec2 direction(const Charts& charts, int face, int axis) {
   return axis >= 2 ? -d : d;
 }
 
-// Where the ray from p inside face f leaves it: through halfedge 3 f + side, at p + length * d.
-struct Exit {
-  int side = -1;
-  double length = 0;
-};
-
-Exit leave(const BandMesh& mesh, int face, Vec2 p, Vec2 d, int entered_side) {
-  const auto& t = mesh.faces[static_cast<std::size_t>(face)];
-  Exit exit;
-  double best = 1e300;
-  for (int k = 0; k < 3; ++k) {
-    if (k == entered_side) continue;
-    const Vec2 a = mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
-    const Vec2 e = mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>((k + 1) % 3)])] - a;
-    const double outward = cross(d, e);  // > 0 where d leaves through this side
-    if (outward <= 0) continue;
-    const double length = cross(a - p, e) / outward;
-    if (length < best) {
-      best = length;
-      exit = {k, std::max(0.0, length)};
-    }
-  }
-  return exit;
-}
-
 class StreamlineTracer {
  public:
   StreamlineTracer(const BandMesh& mesh, const Charts& charts, const Raster<std::uint8_t>& ink)
-      : mesh_(mesh), charts_(charts), ink_(ink) {}
+      : mesh_(mesh), charts_(charts), ink_(ink) {
+    corners_.reserve(mesh.faces.size());
+    for (const auto& t : mesh.faces)
+      corners_.push_back({mesh.points[static_cast<std::size_t>(t[0])], mesh.points[static_cast<std::size_t>(t[1])],
+                          mesh.points[static_cast<std::size_t>(t[2])]});
+  }
 
-  // Length over ink of the streamline that starts at the barycentre of a face along an axis of its frame.
-  double ink_length(int face, int axis, double reach) const {
+  // Length over ink of the streamlines that start at the barycentre of a face along an axis of its frame, both ways; or less,
+  // where it exceeds `enough`.
+  double ink_length(int face, int axis, double reach, double enough) const {
+    const double one_way = ink_length_one_way(face, axis, reach, enough);
+    return one_way > enough ? one_way : one_way + ink_length_one_way(face, axis + 2, reach, enough - one_way);
+  }
+
+ private:
+  double ink_length_one_way(int face, int axis, double reach, double enough) const {
     const Vec2 start = mesh_.barycentre(face);
     Vec2 p = start;
     double covered = 0;
@@ -64,23 +52,48 @@ class StreamlineTracer {
     // A streamline of this many triangles turns on the spot.
     for (int steps = 0; steps < 2000; ++steps) {
       const Vec2 d = direction(charts_, face, axis);
-      const Exit exit = leave(mesh_, face, p, d, entered);
+      const Exit exit = leave(face, p, d, entered);
       if (exit.side < 0) break;
       covered += covered_length(p, d, exit.length);
+      if (covered > enough) break;
       p += exit.length * d;
       if (norm2(p - start) > reach * reach) break;
       const int h = 3 * face + exit.side, twin = mesh_.twins[static_cast<std::size_t>(h)];
       if (twin < 0) break;
       axis = (axis + charts_.turns[static_cast<std::size_t>(h)]) & 3;
       face = face_of(twin);
-      entered = twin % 3;
+      entered = twin - 3 * face;
     }
     return covered;
   }
 
- private:
+  // Where the ray from p inside face f leaves it: through halfedge 3 f + side, at p + length * d.
+  struct Exit {
+    int side = -1;
+    double length = 0;
+  };
+
+  Exit leave(int face, Vec2 p, Vec2 d, int entered_side) const {
+    const auto& corner = corners_[static_cast<std::size_t>(face)];
+    int side = -1;
+    double ahead = 0, outward = 1;  // the length is their quotient
+    for (int k = 0; k < 3; ++k) {
+      if (k == entered_side) continue;
+      const Vec2 a = corner[static_cast<std::size_t>(k)], e = corner[static_cast<std::size_t>(k == 2 ? 0 : k + 1)] - a;
+      const double out = cross(d, e);  // > 0 where d leaves through this side
+      if (out <= 0) continue;
+      const double to_side = cross(a - p, e);
+      if (side >= 0 && to_side * outward >= ahead * out) continue;
+      side = k;
+      ahead = to_side;
+      outward = out;
+    }
+    return {side, std::max(0.0, ahead / outward)};
+  }
+
   double covered_length(Vec2 p, Vec2 d, double length) const {
-    const int samples = std::max(1, static_cast<int>(std::ceil(length)));
+    if (length <= 1) return nearest(ink_, p + 0.5 * length * d, std::uint8_t{0}) ? length : 0;
+    const int samples = static_cast<int>(std::ceil(length));
     int hits = 0;
     for (int k = 0; k < samples; ++k) hits += nearest(ink_, p + ((k + 0.5) / samples * length) * d, std::uint8_t{0});
     return length * hits / samples;
@@ -89,6 +102,7 @@ class StreamlineTracer {
   const BandMesh& mesh_;
   const Charts& charts_;
   const Raster<std::uint8_t>& ink_;
+  std::vector<std::array<Vec2, 3>> corners_;  // per face
 };
 
 }  // namespace
@@ -119,13 +133,20 @@ std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, con
   if (mesh.faces.empty()) return labels;
   const auto thick = dilated(ink);
   const StreamlineTracer tracer(mesh, charts, thick);
+  // The axis across the stroke is traced first, as its streamlines are short, and the other one only until it has won; the
+  // stroke of the last face is a good guess.
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  std::size_t along = 0;
   for (int f = 0; f < mesh.face_count(); ++f) {
     if (!mesh.on_ink[static_cast<std::size_t>(f)]) continue;
     const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[static_cast<std::size_t>(f)]);
-    const double s = tracer.ink_length(f, 0, reach) + tracer.ink_length(f, 2, reach);
-    const double t = tracer.ink_length(f, 1, reach) + tracer.ink_length(f, 3, reach);
-    if (std::min(s, t) > options.ratio * (s + t)) continue;
-    labels[static_cast<std::size_t>(f)] = s > t ? Label::along_s : Label::along_t;
+    std::array<double, 2> length;  // along s, along t
+    const double across = length[1 - along] = tracer.ink_length(f, 1 - static_cast<int>(along), reach, kAll);
+    const double winning = options.ratio > 0 ? across * std::max(1.0, 1 / options.ratio - 1) : kAll;
+    length[along] = tracer.ink_length(f, static_cast<int>(along), reach, (1 + 1e-9) * winning);
+    if (std::min(length[0], length[1]) > options.ratio * (length[0] + length[1])) continue;
+    along = length[0] > length[1] ? 0 : 1;
+    labels[static_cast<std::size_t>(f)] = along == 0 ? Label::along_s : Label::along_t;
   }
   return labels;
 }

@@ -1,7 +1,7 @@
 #include "ownership.h"
 
 #include <cmath>
-#include <deque>
+#include <utility>
 
 #include "base/sample.h"
 
@@ -18,46 +18,49 @@ namespace {
 class Spread {
  public:
   Spread(Ownership& result, const std::vector<Chain>& chains, const Ink& ink, double reach)
-      : result_(result), chains_(chains), ink_(ink), reach_(static_cast<float>(reach)) {}
+      : result_(result), ink_(ink), reach_(static_cast<float>(reach)), waiting_(ink.width(), ink.height(), 0) {
+    for (const Chain& chain : chains) positions_.insert(positions_.end(), chain.points.begin(), chain.points.end());
+  }
 
   void run() {
     for (int s = 0; s < static_cast<int>(result_.samples.size()); ++s) {
-      const Vec2 p = position(s);
+      const Vec2 p = positions_[static_cast<std::size_t>(s)];
       offer(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), s);
     }
-    while (!queue_.empty()) {
-      const auto i = queue_.front();
-      queue_.pop_front();
-      const auto w = static_cast<std::size_t>(ink_.width());
-      const int x = static_cast<int>(i % w), y = static_cast<int>(i / w), s = result_.owner.data[i];
+    for (std::size_t k = 0; k < queue_.size(); ++k) {
+      const auto [x, y] = queue_[k];
+      waiting_(x, y) = 0;
+      const int s = result_.owner(x, y);
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) offer(x + dx, y + dy, s);
     }
   }
 
  private:
-  Vec2 position(int s) const {
-    const auto& sample = result_.samples[static_cast<std::size_t>(s)];
-    return chains_[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
-  }
+  struct Pixel {
+    int x, y;
+  };
 
   void offer(int x, int y, int s) {
     if (!ink_.gap.contains(x, y) || ink_.gap(x, y) > reach_) return;
     int& owner = result_.owner(x, y);
-    const Vec2 centre{x + 0.5, y + 0.5};
+    if (owner == s) return;
     if (owner >= 0) {
-      const double now = norm2(position(owner) - centre), then = norm2(position(s) - centre);
-      if (then > now || (then == now && s >= owner)) return;
+      const Vec2 centre{x + 0.5, y + 0.5};
+      const double now = norm2(positions_[static_cast<std::size_t>(owner)] - centre),
+                   then = norm2(positions_[static_cast<std::size_t>(s)] - centre);
+      if (then > now || (then == now && s > owner)) return;
     }
     owner = s;
-    queue_.push_back(result_.owner.index(x, y));
+    if (!std::exchange(waiting_(x, y), std::uint8_t{1})) queue_.push_back({x, y});
   }
 
   Ownership& result_;
-  const std::vector<Chain>& chains_;
+  std::vector<Vec2> positions_;  // of the samples
   const Ink& ink_;
   float reach_;
-  std::deque<std::size_t> queue_;
+  Raster<std::uint8_t> waiting_;  // in the queue, with what will be its owner by then
+  std::vector<Pixel> queue_;
 };
 
 }  // namespace

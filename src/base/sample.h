@@ -9,6 +9,12 @@
 
 namespace inkgrid {
 
+// The integer below v, which must fit; without a call into the mathematics library.
+constexpr int floor_of(double v) {
+  const int towards_zero = static_cast<int>(v);
+  return towards_zero - (v < towards_zero);
+}
+
 // Bilinear between pixel centres, constant beyond the border.
 template <class T>
 double bilinear(const Raster<T>& r, Vec2 p) {
@@ -23,14 +29,14 @@ double bilinear(const Raster<T>& r, Vec2 p) {
 // The value of the pixel that covers p; `outside` beyond the border.
 template <class T>
 T nearest(const Raster<T>& r, Vec2 p, T outside) {
-  const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+  const int x = floor_of(p.x), y = floor_of(p.y);
   return r.contains(x, y) ? r(x, y) : outside;
 }
 
 // The value of the pixel nearest to p, which may lie beyond the border.
 template <class T>
 T nearest_inside(const Raster<T>& r, Vec2 p) {
-  const auto pixel = [](double v, int size) { return std::clamp(static_cast<int>(std::floor(v)), 0, size - 1); };
+  const auto pixel = [](double v, int size) { return std::clamp(floor_of(v), 0, size - 1); };
   return r(pixel(p.x, r.width), pixel(p.y, r.height));
 }
 
