@@ -98,8 +98,8 @@ double map_seconds(const Stages& stages) {
   const GridMapOptions map_options{
       *options.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
   const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
-  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, stages.ink, map_options);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.ink, map_options, cuts, snap};
+  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, stages.slim, map_options);
+  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.slim, map_options, cuts, snap};
   const MapLayout layout = lay_out(setup);
   Triplets<double> lower;
   std::vector<double> right;
@@ -133,7 +133,7 @@ void run(const char* const* arguments) {
   options.reach = std::atof(arguments[2]);
   options.spacing = std::atof(arguments[3]);
   const Stages stages = run_stages(decode_image(bytes, arguments[0]), options, {});
-  const FieldSystem field = assemble_field(stages.mesh, vertex_space(stages.mesh), stages.ink);
+  const FieldSystem field = assemble_field(stages.mesh, vertex_space(stages.mesh), stages.slim);
   std::cout << nlohmann::json{{"field", complex_field_seconds(field)},
                               {"field_real", real_field_seconds(field)},
                               {"map", map_seconds(stages)},

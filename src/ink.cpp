@@ -91,9 +91,10 @@ Raster<std::uint16_t> column_distance(const Raster<std::uint8_t>& mask, std::uin
 
 // Pixels within `radius` (Euclidean, between centres) of one of the mask: in each row, the union of the chords of the discs.
 Raster<std::uint8_t> dilated(const Raster<std::uint8_t>& mask, double radius) {
-  const int w = mask.width, reach = static_cast<int>(std::floor(std::max(0.0, radius)));
+  const auto r = static_cast<float>(radius);  // a radius that is whole but for rounding errors is whole
+  const int w = mask.width, reach = static_cast<int>(std::floor(std::max(0.0F, r)));
   std::vector<int> half_chord;  // by the distance from the centre
-  for (int d = 0; d <= reach; ++d) half_chord.push_back(static_cast<int>(std::floor(std::sqrt(radius * radius - d * d) + 1e-9)));
+  for (int d = 0; d <= reach; ++d) half_chord.push_back(static_cast<int>(std::sqrt(r * r - static_cast<float>(d * d))));
   const auto distance = column_distance(mask, static_cast<std::uint16_t>(reach + 1));
   Raster<std::uint8_t> result(w, mask.height);
   std::vector<int> change(static_cast<std::size_t>(w) + 1);  // of the number of chords over a pixel, from the one before
