@@ -153,7 +153,9 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   const int junctions = static_cast<int>(attached.junctions.size());
   auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), junctions, kTipLength * pen, kTipMiss * pen);
   Chains located = locate_junctions(std::move(ridges), attached.junctions, 1.5 * pen);
-  return drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
+  located = drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
+  // A grid wider than the pen is asked for where strokes are drawn over and too far.
+  return spacing > 1 ? drop_overshoots(std::move(located), spacing * width) : located;
 }
 
 bool same_pixels(const Image& a, const Image& b) {

@@ -12,6 +12,8 @@
 namespace inkgrid {
 namespace {
 
+constexpr double kStraightOn = 0.8;  // cosine of the angle between a stroke and what goes on from it
+
 double length_of(const Chain& chain) {
   return lengths_along(chain.points).back();
 }
@@ -218,6 +220,42 @@ Chains drop_spurs(Chains chains, double share) {
     const double distance = share * (j >= 0 ? widest[static_cast<std::size_t>(j)] : c.width);
     alive[i] = !std::all_of(c.points.begin(), c.points.end(),
                             [&](Vec2 p) { return bins.has_companion(p, {}, static_cast<int>(i), alive, distance, 0); });
+  }
+  return kept_chains(std::move(chains), alive);
+}
+
+namespace {
+
+// From the junction into the chain, over `span` px.
+Vec2 departure(const Chain& chain, bool at_start, double span) {
+  const auto lengths = lengths_along(chain.points);
+  const double s = std::min(span, lengths.back());
+  const Vec2 from = at_start ? chain.points.front() : chain.points.back();
+  return unit(point_at(chain.points, lengths, at_start ? s : lengths.back() - s) - from);
+}
+
+}  // namespace
+
+Chains drop_overshoots(Chains chains, double longest) {
+  std::vector<std::vector<std::pair<int, Vec2>>> branches(chains.junctions.size());
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
+    const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+    for (const bool at_start : {true, false}) {
+      const int j = at_start ? chain.start_junction : chain.end_junction;
+      if (j >= 0) branches[static_cast<std::size_t>(j)].emplace_back(c, departure(chain, at_start, longest));
+    }
+  }
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
+  for (const auto& at : branches) {
+    if (at.size() < 3) continue;
+    for (const auto& [c, direction] : at) {
+      const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+      if (std::min(chain.start_junction, chain.end_junction) >= 0 || length_of(chain) > longest) continue;
+      const bool goes_on = std::any_of(at.begin(), at.end(), [&, c = c, direction = direction](const auto& other) {
+        return other.first != c && dot(other.second, direction) < -kStraightOn;
+      });
+      if (goes_on) alive[static_cast<std::size_t>(c)] = 0;
+    }
   }
   return kept_chains(std::move(chains), alive);
 }

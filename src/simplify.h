@@ -19,6 +19,10 @@ Chains drop_doubles(Chains chains, double distance);
 // junction's branches (else than `share` of their own width) from other chains, are dropped: their ink is that of the others.
 Chains drop_spurs(Chains chains, double share);
 
+// Chains of up to `longest` px with one free end are dropped where they go straight on (within 37 degrees) from another chain at
+// a junction of three or more: strokes that were drawn too far.
+Chains drop_overshoots(Chains chains, double longest);
+
 // Junctions linked by chains shorter than `link` px become one, and so do those linked by chains shorter than `bare_link` px that
 // paper nowhere bounds on both sides (Chain::confirmed); no junction comes of others further apart than 1.5 of the longer of
 // these.  Junctions that are none any more are dissolved.

@@ -87,6 +87,20 @@ TEST(Simplify, AFreeChainInsideTheInkOfAnotherIsDropped) {
   EXPECT_EQ(drop_spurs({{}, {line, chain_along({{90, apart}, {92, apart}}, kWidth)}}, kSpur).chains.size(), 2u);
 }
 
+TEST(Simplify, StrokesDrawnTooFarAreCutAtTheJunction) {
+  const auto corner = [](Vec2 over) {
+    Chains chains{{{100, 100}},
+                  {chain_along({{20, 100}, {100, 100}}, kWidth), chain_along({{100, 100}, {100, 180}}, kWidth),
+                   chain_along({{100, 100}, Vec2{100, 100} + over}, kWidth)}};
+    chains.chains[0].end_junction = chains.chains[1].start_junction = chains.chains[2].start_junction = 0;
+    return drop_overshoots(std::move(chains), 2 * kWidth).chains.size();
+  };
+  EXPECT_EQ(corner({1.8 * kWidth, 0}), 1u) << "the two others are one chain";
+  EXPECT_EQ(corner({0, -1.8 * kWidth}), 1u);
+  EXPECT_EQ(corner({2.2 * kWidth, 0}), 3u) << "long enough to be meant";
+  EXPECT_EQ(corner({kWidth, -kWidth}), 3u) << "goes on from neither";
+}
+
 TEST(Simplify, ALoopThatLeadsNowhereIsALink) {
   const auto looped = [](double size) {
     Chains chains{{{100, 100}}, {chain_along({{20, 100}, {100, 100}}, kWidth), chain_along({{100, 100}, {180, 100}}, kWidth)}};
