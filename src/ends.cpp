@@ -193,12 +193,35 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
   return pairs;
 }
 
-// Joins ends that face each other half way between them.
+void cut_back(Chain& chain, bool at_start, double length) {
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+  const auto lengths = lengths_along(chain.points);
+  // A chain keeps at least a tenth of itself.
+  const double kept = std::max(lengths.back() - length, 0.1 * lengths.back());
+  const Vec2 tip = point_at(chain.points, lengths, kept);
+  while (chain.points.size() > 1 && lengths[chain.points.size() - 1] >= kept) chain.points.pop_back();
+  chain.points.push_back(tip);
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+}
+
+// Ends that passed each other go back to where they would meet.
+void cut_overlap(Chain& a, bool a_at_start, Chain& b, bool b_at_start) {
+  const Vec2 way = b.points[end_index(b, b_at_start)] - a.points[end_index(a, a_at_start)];
+  const Vec2 direction = unit(outward(a, a_at_start, a.width) - outward(b, b_at_start, b.width));
+  const double overlap = -dot(way, direction);
+  if (overlap <= 0) return;
+  cut_back(a, a_at_start, 0.5 * (overlap + a.width));
+  cut_back(b, b_at_start, 0.5 * (overlap + b.width));
+}
+
+}  // namespace
+
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   for (const auto& pair : facing_ends(chains, ink, options)) {
     auto& a = chains.chains[static_cast<std::size_t>(pair.a.chain)];
     auto& b = chains.chains[static_cast<std::size_t>(pair.b.chain)];
     if (!is_free(a, pair.a.at_start) || !is_free(b, pair.b.at_start)) continue;
+    if (pair.a.chain != pair.b.chain) cut_overlap(a, pair.a.at_start, b, pair.b.at_start);
     Vec2& tip_a = a.points[end_index(a, pair.a.at_start)];
     Vec2& tip_b = b.points[end_index(b, pair.b.at_start)];
     tip_a = tip_b = lerp(tip_a, tip_b, 0.5);
@@ -209,8 +232,6 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
   }
   return dissolve_junctions(std::move(chains));
 }
-
-}  // namespace
 
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   chains = join_facing_ends(std::move(chains), ink, options);
@@ -315,17 +336,6 @@ double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& op
   for (double t = 0.25; t < farthest; t += 0.25)
     if (on_ink(ink, tip - t * direction)) return -t;
   return 0;
-}
-
-void cut_back(Chain& chain, bool at_start, double length) {
-  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
-  const auto lengths = lengths_along(chain.points);
-  // A chain keeps at least a tenth of itself.
-  const double kept = std::max(lengths.back() - length, 0.1 * lengths.back());
-  const Vec2 tip = point_at(chain.points, lengths, kept);
-  while (chain.points.size() > 1 && lengths[chain.points.size() - 1] >= kept) chain.points.pop_back();
-  chain.points.push_back(tip);
-  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
 }
 
 }  // namespace

@@ -13,7 +13,10 @@ struct EndOptions {
   double bridge = 1;  // paper narrower than this does not end a stroke, px
 };
 
-// Free ends that face each other within `reach` over ink are joined half way.  An end from which ink leads straight on into
+// Free ends that face each other within `reach` over ink are joined half way; those that passed each other are cut back first.
+Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options);
+
+// join_facing_ends, and then: an end from which ink leads straight on into
 // another chain, or into its other end, is joined to it: end to end where both are free ends, by a new junction otherwise.
 // Junctions left with two branches are dissolved.
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);

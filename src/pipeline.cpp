@@ -153,7 +153,8 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   const int junctions = static_cast<int>(attached.junctions.size());
   auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), junctions, kTipLength * pen, kTipMiss * pen);
   Chains located = locate_junctions(std::move(ridges), attached.junctions, 1.5 * pen);
-  located = drop_spurs(reach_ends(std::move(located), ink, ends), resolution.spur);
+  located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
+  located = drop_spurs(std::move(located), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.
   return spacing > 1 ? drop_overshoots(std::move(located), spacing * width) : located;
 }
