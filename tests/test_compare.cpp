@@ -313,6 +313,16 @@ TEST(Compare, NamesTheFileThatIsWrong) {
   EXPECT_NE(complaint({"long.svg", page(stroke("M0 0H900000000")).text}, good).find("too long"), std::string::npos);
 }
 
+TEST(Compare, CurvesThatCrossTooOftenAreRefused) {
+  std::string data;
+  for (int i = 0; i < 3500; ++i) {
+    const double angle = i * std::numbers::pi / 3500, x = 10 * std::cos(angle), y = 10 * std::sin(angle);
+    data += "M" + std::to_string(200 - x) + " " + std::to_string(150 - y) + "L" + std::to_string(200 + x) + " " +
+            std::to_string(150 + y);
+  }
+  EXPECT_THROW(compare_svg(strokes(data), strokes(kLine)), Error);
+}
+
 TEST(ComparisonText, JsonHoldsTheMeasures) {
   const Comparison c = compare_svg(page(kResult), page(kTruth));
   const auto json = nlohmann::json::parse(comparison_json(c));

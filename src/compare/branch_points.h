@@ -15,7 +15,7 @@ struct BranchPoints {
   std::vector<Vec2> ends;       // one does
 };
 
-// `touch`: how near an end comes to a curve that it touches, px.
+// `touch`: how near an end comes to a curve that it touches, px.  Throws Error{file} where there are too many crossings.
 BranchPoints find_branch_points(const CurveSamples& samples, double touch);
 
 // Pairs of a point of either set at most `radius` apart, nearest first, each point once.

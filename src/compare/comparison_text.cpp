@@ -1,5 +1,6 @@
 #include "compare/comparison_text.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.h"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/at.h"
+#include "inkgrid/inkgrid.h"
 #include "polyline.h"
 
 namespace inkgrid {
@@ -17,7 +18,8 @@ constexpr double kCorner = 15 * std::numbers::pi / 180;  // a turn above this is
 constexpr double kCell = 8;                              // px
 constexpr double kSlack = 1e-6;                          // of a piece's length, and px around a piece's box
 constexpr double kParallel = 1e-12;                      // px^2
-constexpr double kSeam = 1e-3;                           // px
+constexpr std::size_t kMostPairs = 4000000;
+constexpr double kSeam = 1e-3;  // px
 
 struct Piece {
   Vec2 a, b;
@@ -68,22 +70,6 @@ bool are_neighbours(const Piece& a, const Piece& b) {
   return gap <= 1 || (a.closed && a.pieces - gap <= 1);
 }
 
-// Pairs of pieces that share a cell, in ascending order.
-std::vector<std::pair<int, int>> candidates(const std::vector<Piece>& pieces) {
-  std::vector<InCell> cells;
-  for (std::size_t i = 0; i < pieces.size(); ++i) append_cells(cells, pieces[i], static_cast<int>(i));
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  std::vector<std::pair<int, int>> pairs;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (std::size_t j = i + 1; j < cells.size() && cells[j].x == cells[i].x && cells[j].y == cells[i].y; ++j)
-      if (!are_neighbours(at(pieces, cells[i].piece), at(pieces, cells[j].piece)))
-        pairs.emplace_back(cells[i].piece, cells[j].piece);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
 std::optional<Vec2> crossing(const Piece& p, const Piece& q) {
   const Vec2 r = p.b - p.a, s = q.b - q.a, between = q.a - p.a;
   const double area = cross(r, s);
@@ -91,6 +77,29 @@ std::optional<Vec2> crossing(const Piece& p, const Piece& q) {
   const double t = cross(between, s) / area, u = cross(between, r) / area;
   const auto inside = [](double v) { return v >= -kSlack && v <= 1 + kSlack; };
   return inside(t) && inside(u) ? std::optional(p.a + t * r) : std::nullopt;
+}
+
+std::vector<InCell> cells_of(const std::vector<Piece>& pieces) {
+  std::vector<InCell> cells;
+  for (std::size_t i = 0; i < pieces.size(); ++i) append_cells(cells, pieces[i], static_cast<int>(i));
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+// Pairs of pieces that cross, in ascending order.
+std::vector<std::pair<int, int>> crossing_pairs(const std::vector<Piece>& pieces) {
+  const std::vector<InCell> cells = cells_of(pieces);
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = i + 1; j < cells.size() && cells[j].x == cells[i].x && cells[j].y == cells[i].y; ++j) {
+      const Piece &p = at(pieces, cells[i].piece), &q = at(pieces, cells[j].piece);
+      if (!are_neighbours(p, q) && crossing(p, q)) pairs.emplace_back(cells[i].piece, cells[j].piece);
+      if (pairs.size() > kMostPairs) throw Error(ErrorCode::file, "the curves cross each other too often to be compared");
+    }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 }  // namespace
@@ -114,8 +123,7 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& polyline) {
 std::vector<Vec2> crossings(const std::vector<std::vector<Vec2>>& polylines) {
   const std::vector<Piece> pieces = all_pieces(polylines);
   std::vector<Vec2> points;
-  for (const auto& [p, q] : candidates(pieces))
-    if (const auto point = crossing(at(pieces, p), at(pieces, q))) points.push_back(*point);
+  for (const auto& [p, q] : crossing_pairs(pieces)) points.push_back(*crossing(at(pieces, p), at(pieces, q)));
   return points;
 }
 

@@ -12,7 +12,8 @@ namespace inkgrid {
 // Thinned to steps of about 1.5 px; ends, corners and short polylines are kept.
 std::vector<Vec2> thinned(const std::vector<Vec2>& polyline);
 
-// Neighbouring pieces of one polyline are not compared; parallel ones have no crossing.
+// Neighbouring pieces of one polyline are not compared; parallel ones have no crossing.  Throws Error{file} where there
+// are more than some millions.
 std::vector<Vec2> crossings(const std::vector<std::vector<Vec2>>& polylines);
 
 }  // namespace inkgrid
