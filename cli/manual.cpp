@@ -60,7 +60,7 @@ Entry entry_of(const CompareOption& option) {
 }
 
 std::string value_name(const OptionRow& row) {
-  if (std::holds_alternative<Preset Options::*>(row.member)) return "NAME";
+  if (is_name(row)) return "NAME";
   return std::holds_alternative<int Options::*>(row.member) ? "COUNT" : "NUMBER";
 }
 

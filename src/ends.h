@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chains.h"
+#include "fills.h"
 
 namespace inkgrid {
 
@@ -23,6 +24,9 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);
 
 // Every end that is still free goes on straight, or is cut back, to half a stroke width inside the end of the ink.
 Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options);
+
+// A free end that a fill lies straight ahead of, within `reach` px, goes on to its rim.
+Chains reach_fills(Chains chains, const Fills& fills, double reach);
 
 // Joins chains pairwise at junctions that only two chain ends share.
 Chains dissolve_junctions(Chains chains);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "base/decimal.h"
 #include "base/overloaded.h"
@@ -12,6 +13,19 @@ namespace inkgrid {
 namespace {
 
 constexpr std::array kPresetNames{"auto", "clean", "rough"};
+constexpr std::array kFillModeNames{"layer", "drop", "trace"};
+
+template <class Value>
+concept Choice = std::is_enum_v<Value>;
+
+// In the order of the enumerators.
+template <Choice Value>
+constexpr const auto& names_of() {
+  if constexpr (std::is_same_v<Value, Preset>)
+    return kPresetNames;
+  else
+    return kFillModeNames;
+}
 
 constexpr std::array<std::string_view, 10> kStageNames{"ink",      "band",     "frame field", "charts", "labels",
                                                        "grid map", "isolines", "chains",      "fit",    ""};
@@ -20,6 +34,8 @@ constexpr std::array kTable{
     OptionRow{"preset", &Options::preset, Stage::band, "", 0, 2, "7",
               "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
     OptionRow{"threshold", &Options::threshold, Stage::ink, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
+    OptionRow{"fills", &Options::fills, Stage::ink, "", 0, 2, "",
+              "filled areas: outlines in a layer of their own, left out, or traced like strokes"},
     OptionRow{"reach", &Options::reach, Stage::band, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
     OptionRow{"mesh-size", &Options::mesh_size, Stage::band, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
     OptionRow{"degenerate-angle", &Options::degenerate_angle, Stage::field, "degrees", 0, 90, "6.1",
@@ -60,6 +76,15 @@ bool in_range(const OptionRow& row, const Options& options) {
                     row.member);
 }
 
+// "auto, clean or rough"
+template <Choice Value>
+std::string enumeration() {
+  const auto& names = names_of<Value>();
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text.append(i + 1 < names.size() ? ", " : " or ").append(names[i]);
+  return text;
+}
+
 [[noreturn]] void refuse(const OptionRow& row, std::string_view text) {
   throw Error(ErrorCode::usage, std::string(row.name) + " must be " + accepted_values(row) + ", not '" + std::string(text) + "'");
 }
@@ -87,10 +112,14 @@ std::string_view stage_name(Stage stage) {
   return kStageNames.at(static_cast<std::size_t>(stage));
 }
 
+bool is_name(const OptionRow& row) {
+  return std::visit([]<class Value>(Value Options::*) { return Choice<Value>; }, row.member);
+}
+
 std::string accepted_values(const OptionRow& row) {
   std::string range = shortest(row.least) + " to " + shortest(row.most);
   if (!row.unit.empty()) range.append(" ").append(row.unit);
-  return std::visit(Overloaded{[](Preset Options::*) { return std::string("auto, clean or rough"); },
+  return std::visit(Overloaded{[]<Choice Value>(Value Options::*) { return enumeration<Value>(); },
                                [&](double Options::*) { return "a number from " + range; },
                                [&](std::optional<double> Options::*) { return "a number from " + range + " or auto"; },
                                [&](int Options::*) { return "a whole number from " + range; }},
@@ -98,10 +127,11 @@ std::string accepted_values(const OptionRow& row) {
 }
 
 void set_option(Options& options, const OptionRow& row, std::string_view text) {
-  std::visit(Overloaded{[&](Preset Options::*m) {
-                          const auto name = std::find(kPresetNames.begin(), kPresetNames.end(), text);
-                          if (name == kPresetNames.end()) refuse(row, text);
-                          options.*m = static_cast<Preset>(name - kPresetNames.begin());
+  std::visit(Overloaded{[&]<Choice Value>(Value Options::*m) {
+                          const auto& names = names_of<Value>();
+                          const auto name = std::find(names.begin(), names.end(), text);
+                          if (name == names.end()) refuse(row, text);
+                          options.*m = static_cast<Value>(name - names.begin());
                         },
                         [&](double Options::*m) { options.*m = number_in_range<double>(row, text); },
                         [&](std::optional<double> Options::*m) {
@@ -113,7 +143,9 @@ void set_option(Options& options, const OptionRow& row, std::string_view text) {
 
 std::string option_text(const Options& options, const OptionRow& row) {
   return std::visit(
-      Overloaded{[&](Preset Options::*m) { return std::string(kPresetNames.at(static_cast<std::size_t>(options.*m))); },
+      Overloaded{[&]<Choice Value>(Value Options::*m) {
+                   return std::string(names_of<Value>().at(static_cast<std::size_t>(options.*m)));
+                 },
                  [&](double Options::*m) { return shortest(options.*m); },
                  [&](std::optional<double> Options::*m) { return options.*m ? shortest(*(options.*m)) : std::string("auto"); },
                  [&](int Options::*m) { return std::to_string(options.*m); }},
@@ -144,10 +176,10 @@ std::string command_line_text(const Options& options) {
 
 void validate(const Options& options) {
   for (const OptionRow& row : kTable)
-    if (!in_range(row, options)) {
-      const bool named = !std::holds_alternative<Preset Options::*>(row.member);
-      refuse(row, named ? option_text(options, row) : std::to_string(static_cast<int>(options.preset)));
-    }
+    if (!in_range(row, options))
+      std::visit(Overloaded{[&]<Choice Value>(Value Options::*m) { refuse(row, std::to_string(static_cast<int>(options.*m))); },
+                            [&](auto Options::*) { refuse(row, option_text(options, row)); }},
+                 row.member);
 }
 
 }  // namespace inkgrid

@@ -13,7 +13,8 @@
 
 namespace inkgrid {
 
-using OptionMember = std::variant<Preset Options::*, double Options::*, std::optional<double> Options::*, int Options::*>;
+using OptionMember =
+    std::variant<Preset Options::*, FillMode Options::*, double Options::*, std::optional<double> Options::*, int Options::*>;
 
 // The stages of the method that an option may enter at, in their order (pipeline.h).
 enum class Stage { ink, band, field, charts, labels, map, isolines, chains, fit, none };
@@ -37,6 +38,9 @@ std::span<const OptionRow> option_table();
 
 // Throws Error{usage} when there is no such option.
 const OptionRow& option_row(std::string_view name);
+
+// Its values are names, not numbers.
+bool is_name(const OptionRow& row);
 
 // What may be given: "a number from 0 to 10 strokes or auto".
 std::string accepted_values(const OptionRow& row);

@@ -8,6 +8,7 @@
 #include "corners.h"
 #include "crossings.h"
 #include "ends.h"
+#include "fill_outlines.h"
 #include "folds.h"
 #include "junctions.h"
 #include "leftovers.h"
@@ -63,11 +64,12 @@ void validate_input(const Image& image, const ScaleMask* mask) {
                                       std::to_string(image.height));
 }
 
-void report_ink(const Ink& ink, Report& report) {
+void report_ink(const Ink& ink, const Fills& fills, Report& report) {
   report.threshold = ink.threshold;
   report.inverted = ink.inverted;
   report.stroke_width = ink.stroke_width;
   report.ink_pixels = ink.pixels;
+  report.fills = fills.count;
 }
 
 void report_mesh(const BandMesh& mesh, Report& report) {
@@ -169,7 +171,7 @@ bool same_mask(const std::optional<ScaleMask>& a, const std::optional<ScaleMask>
 }
 
 bool same_ink(const Inputs& a, const Inputs& b) {
-  return same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold;
+  return same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold && a.options.fills == b.options.fills;
 }
 
 // What the drawing decides is decided.
@@ -195,7 +197,7 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   const auto move = [&](Stage stage, auto... members) {
     if (stage < first) ((to.*members = std::move(from.*members)), ...);
   };
-  move(Stage::ink, &Stages::ink);
+  move(Stage::ink, &Stages::fills, &Stages::ink);
   move(Stage::band, &Stages::slim, &Stages::mesh);
   move(Stage::field, &Stages::field);
   move(Stage::charts, &Stages::charts);
@@ -242,6 +244,17 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   }
 }
 
+void run_ink(Stages& stages, Stopwatch& run) {
+  const Options& options = stages.inputs.options;
+  Binarisation binarisation = run("threshold", 0.0, [&] { return binarise(stages.inputs.image, options.threshold); });
+  if (options.fills != FillMode::trace) {
+    stages.fills = run("fills", 0.03, [&] { return find_fills(binarisation); });
+    binarisation = without_fills(std::move(binarisation), stages.fills);
+  }
+  stages.ink = run("ink", 0.06, [&] { return measure_ink(std::move(binarisation)); });
+  report_ink(stages.ink, stages.fills, stages.report);
+}
+
 Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
   const Options& options = stages.inputs.settled;
   Chains chains = run("chains", 0.95, [&] {
@@ -254,11 +267,17 @@ Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
                          options.coverage_bins);
   });
   if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
+  chains = reach_fills(std::move(chains), stages.fills, 1.5 * stages.ink.stroke_width);
   Leftovers leftovers = mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
   report.warnings.clear();
   report_leftovers(leftovers, stages.map, report);
   for (auto& chain : leftovers.chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
   return std::move(leftovers.chains);
+}
+
+std::vector<Fill> fitted_fills(const Stages& stages) {
+  const Options& options = stages.inputs.options;
+  return options.fills == FillMode::layer ? fit_outlines(stages.fills, options.tolerance) : std::vector<Fill>{};
 }
 
 void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
@@ -276,6 +295,7 @@ void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
     const double corner_span = std::min(width, kCornerSpan * stages.slim.stroke_width);
     const FitOptions fit_options{stages.inputs.settled.tolerance * width, corner_span};
     stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
+    stages.drawing.fills = fitted_fills(stages);
     count_curves(stages.drawing, stages.report);
   }
 }
@@ -307,8 +327,7 @@ void rerun_stages(Stages& stages, const Image& image, const Options& options, co
   made.report.seconds.clear();
   Stopwatch run(control, made.report);
   if (!known) {
-    made.ink = run("ink", 0.0, [&] { return measure_ink(binarise(image, options.threshold)); });
-    report_ink(made.ink, made.report);
+    run_ink(made, run);
   }
   const Ink& ink = known ? stages.ink : made.ink;
   const bool blank = ink.pixels == 0;
@@ -321,7 +340,9 @@ void rerun_stages(Stages& stages, const Image& image, const Options& options, co
     move_kept(first, made, stages);
     throw;
   }
-  if (blank) made.report.warnings = {"the drawing holds no ink: the result is empty"};
+  if (blank) made.report.warnings.clear();
+  if (blank && made.fills.count == 0) made.report.warnings = {"the drawing holds no ink: the result is empty"};
+  if (blank) made.drawing.fills = fitted_fills(made);
   made.drawing.width = image.width;
   made.drawing.height = image.height;
   made.drawing.pixels_per_mm = image.pixels_per_mm;

@@ -6,6 +6,7 @@
 
 #include "chains.h"
 #include "exact_map.h"
+#include "fills.h"
 #include "fit.h"
 #include "inkgrid/inkgrid.h"
 #include "options.h"
@@ -23,6 +24,7 @@ struct Inputs {
 
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
 struct Stages {
+  Fills fills;
   Ink ink;
   Ink slim;  // what the grid works on: the ink with strokes as slim as the spacing asks for
   BandMesh mesh;

@@ -165,7 +165,7 @@ Json json_of(const Options& options) {
   for (const OptionRow& row : option_table()) {
     if (is_default(options, row)) continue;
     const std::string text = option_text(options, row);
-    json[std::string(row.name)] = std::holds_alternative<Preset Options::*>(row.member) ? Json(text) : Json::parse(text);
+    json[std::string(row.name)] = is_name(row) ? Json(text) : Json::parse(text);
   }
   return json;
 }

@@ -19,6 +19,7 @@ struct JsonValue {
   const OptionRow& row;
 
   Json operator()(Preset Options::*) const { return option_text(options, row); }
+  Json operator()(FillMode Options::*) const { return option_text(options, row); }
   Json operator()(std::optional<double> Options::*member) const {
     const std::optional<double> value = options.*member;
     return value ? Json(*value) : Json("auto");
@@ -59,6 +60,7 @@ std::string report_json(const Options& options, const Report& report) {
                   {"inverted", report.inverted},
                   {"stroke_width", report.stroke_width},
                   {"ink_pixels", report.ink_pixels},
+                  {"fills", report.fills},
                   {"preset", report.preset},
                   {"reach", report.reach},
                   {"spacing", report.spacing},

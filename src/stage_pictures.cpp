@@ -14,7 +14,7 @@ namespace inkgrid {
 
 namespace {
 
-constexpr Colour kInk{0x2b5fa8}, kCentre{0xffc83d}, kMark{0x111111}, kFree{0xd81b60}, kJunction{0xe02020};
+constexpr Colour kInk{0x2b5fa8}, kCentre{0xffc83d}, kMark{0x111111}, kFree{0xd81b60}, kJunction{0xe02020}, kFill{0x00897b};
 constexpr Colour kBand{0x4f7f9f, 0.6}, kBandOnInk{0x8fc1e3, 0.5};
 constexpr Colour kAlongS{0x1a9850}, kAlongT{0x7b3fb5}, kUnlabelled{0xb0b0b0}, kCut{0xff8c00};
 constexpr Colour kIsolineU{0xd7301f}, kIsolineV{0x2166ac}, kBoundaryNode{0x888888};
@@ -51,9 +51,17 @@ void each_edge(const BandMesh& mesh, Draw draw) {
   }
 }
 
-// The mask, its centre line as equation (3) sees it, and a disc as wide as the measured stroke in the corner.
+void draw_fills(Painter& painter, const Fills& fills) {
+  if (fills.count == 0) return;
+  Raster<std::uint8_t> filled(fills.region.width, fills.region.height);
+  std::transform(fills.region.data.begin(), fills.region.data.end(), filled.data.begin(), [](int fill) { return fill >= 0; });
+  painter.pixels(filled, kFill);
+}
+
+// The mask, its centre line as equation (3) sees it, and a disc as wide as the measured stroke in the corner; fills beside it.
 void draw_ink(Painter& painter, const Stages& stages) {
   const Ink& ink = stages.ink;
+  draw_fills(painter, stages.fills);
   painter.pixels(ink.mask, kInk);
   Raster<std::uint8_t> centre(ink.mask.width, ink.mask.height);
   for (std::size_t i = 0; i < centre.data.size(); ++i)
@@ -140,6 +148,8 @@ void draw_handles(Painter& painter, const Cubic& cubic) {
 
 void draw_curves(Painter& painter, const Stages& stages) {
   const Drawing& drawing = stages.drawing;
+  for (const Fill& fill : drawing.fills)
+    for (const Curve& outline : fill.outlines) painter.curve(outline, 1.5, kFill);
   for (std::size_t i = 0; i < drawing.curves.size(); ++i) painter.curve(drawing.curves[i], 2.5, in_turn(i));
   for (const Curve& curve : drawing.curves)
     for (const Cubic& cubic : curve.segments) {

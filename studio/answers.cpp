@@ -17,17 +17,21 @@ using Json = nlohmann::ordered_json;
 constexpr int kPlaces = 3;  // of coordinates, px
 
 std::string kind_of(const OptionRow& row) {
-  if (std::holds_alternative<Preset Options::*>(row.member)) return "preset";
+  if (is_name(row)) return "preset";
   if (std::holds_alternative<int Options::*>(row.member)) return "whole";
   return std::holds_alternative<std::optional<double> Options::*>(row.member) ? "optional" : "number";
 }
 
 std::vector<std::string> choices_of(const OptionRow& row) {
-  if (!std::holds_alternative<Preset Options::*>(row.member)) return {};
   std::vector<std::string> choices;
+  if (!is_name(row)) return choices;
   for (int i = 0; i <= static_cast<int>(row.most); ++i) {
     Options options;
-    options.preset = static_cast<Preset>(i);
+    std::visit(
+        [&]<class Value>(Value Options::*member) {
+          if constexpr (std::is_enum_v<Value>) options.*member = static_cast<Value>(i);
+        },
+        row.member);
     choices.push_back(option_text(options, row));
   }
   return choices;

@@ -38,6 +38,32 @@ inline void paint(Image& image, const std::vector<Vec2>& line, double width, dou
   }
 }
 
+// Darkens the inside of a polygon (even-odd), with 8 x 8 samples a pixel.
+inline void fill(Image& image, const std::vector<Vec2>& polygon, double grey = 0) {
+  constexpr int kSamples = 8;
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    std::vector<int> hits(width, 0);
+    for (int row = 0; row < kSamples; ++row) {
+      const double level = static_cast<double>(y) + (row + 0.5) / kSamples;
+      std::vector<double> crossings;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > level) != (b.y > level)) crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+      for (std::size_t k = 0; k < width * kSamples; ++k) {
+        const double x = (static_cast<double>(k) + 0.5) / kSamples;
+        hits[k / kSamples] += std::count_if(crossings.begin(), crossings.end(), [&](double c) { return c < x; }) % 2 != 0;
+      }
+    }
+    for (std::size_t x = 0; x < width; ++x) {
+      const double cover = static_cast<double>(hits[x]) / (kSamples * kSamples);
+      auto& g = image.grey[y * width + x];
+      g = static_cast<std::uint8_t>(std::min(static_cast<double>(g), std::round(255 - (255 - grey) * cover)));
+    }
+  }
+}
+
 inline std::vector<Vec2> arc(Vec2 centre, double radius, double from, double to, int steps = 200) {
   std::vector<Vec2> line;
   for (int i = 0; i <= steps; ++i) {

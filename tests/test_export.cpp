@@ -18,7 +18,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-// An arch and a loop that meet in a junction at (30, 40).
+Curve outline(Vec2 centre, double radius) {
+  Curve curve;
+  curve.closed = true;
+  const Vec2 start = centre - Vec2{radius, 0}, middle = centre + Vec2{radius, 0}, up{0, 1.3 * radius};
+  curve.segments = {{start, start - up, middle - up, middle}, {middle, middle + up, start + up, start}};
+  return curve;
+}
+
+// An arch, a loop, and a filled ring; the arch ends in a junction at (30, 40).
 Drawing sample() {
   Drawing drawing;
   drawing.width = 120;
@@ -36,6 +44,7 @@ Drawing sample() {
   loop.coverage = 1;
   loop.id = 18446744073709551615u;
   drawing.curves = {arch, loop};
+  drawing.fills = {{{outline({20, 70}, 15), outline({20, 70}, 5)}}};
   return drawing;
 }
 
@@ -94,6 +103,9 @@ TEST(Export, NoFormatWritesWhatIsNoNumber) {
     for (const ExportFormat& format : export_formats()) {
       Drawing drawing = sample();
       drawing.curves[0].segments[1].p2.y = bad;
+      EXPECT_THROW(written(format.name, drawing), Error) << format.name;
+      drawing = sample();
+      drawing.fills[0].outlines[1].segments[0].p1.x = bad;
       EXPECT_THROW(written(format.name, drawing), Error) << format.name;
     }
 }
@@ -183,6 +195,13 @@ TEST(Graph, HoldsTheDrawingToTheLastDigit) {
       const Vec2 expected[] = {c.p0, c.p1, c.p2, c.p3};
       for (std::size_t n = 0; n < 4; ++n) EXPECT_EQ(point_of(points.at(3 * k + n)), expected[n]);
     }
+  }
+  ASSERT_EQ(json.at("fills").size(), 1u);
+  const Json& outlines = json.at("fills").at(0).at("outlines");
+  ASSERT_EQ(outlines.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(outlines.at(i).size(), 7u);
+    EXPECT_EQ(point_of(outlines.at(i).at(4)), drawing.fills[0].outlines[i].segments[1].p1);
   }
   EXPECT_EQ(json.at("curves").at(0).at("start"), 1);
   EXPECT_TRUE(json.at("curves").at(0).at("end").is_null());

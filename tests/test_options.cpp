@@ -34,7 +34,7 @@ class EachOption : public ::testing::TestWithParam<OptionRow> {
       EXPECT_TRUE(is_default(options, row)) << row.name << " changed with '" << text << "'";
   }
 
-  bool is_preset() const { return std::holds_alternative<Preset Options::*>(GetParam().member); }
+  bool has_names() const { return is_name(GetParam()); }
   bool is_count() const { return std::holds_alternative<int Options::*>(GetParam().member); }
 };
 
@@ -61,7 +61,7 @@ TEST_P(EachOption, DefaultGoesRound) {
 }
 
 TEST_P(EachOption, EndsOfTheRangeGoRoundAndChangeNothingElse) {
-  if (is_preset()) return;  // its values are names
+  if (has_names()) return;  // its values are names
   for (const double end : {GetParam().least, GetParam().most}) {
     Options options;
     set_option(options, GetParam(), is_count() ? std::to_string(std::lround(end)) : number(end));
@@ -90,7 +90,7 @@ TEST_P(EachOption, TakesAutoOnlyWhereItMayBeUnset) {
     EXPECT_FALSE(is_default(options, GetParam()));
     set_option(options, GetParam(), "auto");
     EXPECT_EQ(option_text(options, GetParam()), "auto");
-  } else if (!is_preset()) {
+  } else if (!has_names()) {
     expect_refused("auto");
   }
 }
@@ -103,7 +103,11 @@ TEST_P(EachOption, ValidateFindsAValueSetPastTheTable) {
     if (const auto* maybe = std::get_if<std::optional<double> Options::*>(&GetParam().member)) options.** maybe = value;
     if (const auto* count = std::get_if<int Options::*>(&GetParam().member))
       options.** count = std::isnan(value) ? -1 : static_cast<int>(value);
-    if (is_preset()) options.preset = static_cast<Preset>(std::isnan(value) ? 7 : static_cast<int>(value));
+    const int enumerator = std::isnan(value) ? 7 : static_cast<int>(value);
+    if (const auto* preset = std::get_if<Preset Options::*>(&GetParam().member))
+      options.** preset = static_cast<Preset>(enumerator);
+    if (const auto* fills = std::get_if<FillMode Options::*>(&GetParam().member))
+      options.** fills = static_cast<FillMode>(enumerator);
     EXPECT_THROW(validate(options), Error) << value;
   }
 }
@@ -129,8 +133,8 @@ TEST(OptionTable, CoversEveryMemberOnce) {
 TEST(OptionTable, MembersAreDistinct) {
   for (const OptionRow& row : option_table()) {
     Options options;
-    if (std::holds_alternative<Preset Options::*>(row.member))
-      set_option(options, row, "rough");
+    if (is_name(row))
+      set_option(options, row, accepted_values(row).substr(accepted_values(row).rfind(' ') + 1));  // the last of them
     else
       set_option(options, row, option_text(options, row) == number(row.least) ? "1" : number(row.least));
     for (const OptionRow& other : option_table())
@@ -160,6 +164,7 @@ TEST(OptionTable, HasTheConstantsOfThePaper) {
   EXPECT_EQ(text("coverage-bins"), "4");
   EXPECT_EQ(text("preset"), "auto");
   EXPECT_EQ(text("threshold"), "auto");
+  EXPECT_EQ(text("fills"), "layer");
 }
 
 TEST(OptionTable, PresetsHaveNames) {
@@ -170,6 +175,16 @@ TEST(OptionTable, PresetsHaveNames) {
   EXPECT_EQ(options.preset, Preset::rough);
   set_option(options, option_row("preset"), "auto");
   EXPECT_EQ(options.preset, Preset::automatic);
+}
+
+TEST(OptionTable, NamesAreThoseOfTheEnumerators) {
+  Options options;
+  for (const auto& [name, mode] : {std::pair{"drop", FillMode::drop}, {"trace", FillMode::trace}, {"layer", FillMode::layer}}) {
+    set_option(options, option_row("fills"), name);
+    EXPECT_EQ(options.fills, mode);
+  }
+  EXPECT_EQ(accepted_values(option_row("fills")), "layer, drop or trace");
+  EXPECT_EQ(accepted_values(option_row("preset")), "auto, clean or rough");
 }
 
 TEST(CommandLineText, TellsOnlyWhatDiffers) {

@@ -15,13 +15,14 @@ using testing::blank;
 using testing::circle;
 using testing::paint;
 
-// Crossing strokes, and a circle apart from them.
+// Crossing strokes, a circle apart from them, and a blot in it.
 Image drawing() {
   Image image = blank(130, 80);
   for (const double x : {20.0, 45.0}) paint(image, {{x, 10}, {x, 70}}, 4);
   for (const double y : {25.0, 55.0}) paint(image, {{8, y}, {60, y}}, 4);
   paint(image, {{20, 25}, {45, 55}}, 4);
   paint(image, circle({97, 42}, 22), 3.4);
+  paint(image, {{97, 42}, {97, 42}}, 18);
   return image;
 }
 
@@ -29,6 +30,7 @@ Image drawing() {
 std::string other_value(std::string_view name) {
   static const std::pair<std::string_view, const char*> kValues[] = {{"preset", "rough"},
                                                                      {"threshold", "60"},
+                                                                     {"fills", "trace"},
                                                                      {"reach", "0.5"},
                                                                      {"mesh-size", "0.6"},
                                                                      {"degenerate-angle", "80"},
@@ -114,6 +116,7 @@ class Numbers {
 std::vector<std::vector<double>> numbers_of(const Stages& s) {
   std::vector<Numbers> n(static_cast<std::size_t>(Stage::none));
   const auto of = [&](Stage stage) -> Numbers& { return n[static_cast<std::size_t>(stage)]; };
+  of(Stage::ink).add(s.fills.region.data);
   of(Stage::ink).add(s.ink.mask.data);
   of(Stage::ink).add(s.ink.stroke_width);
   of(Stage::band).add(s.mesh.points);
@@ -135,6 +138,7 @@ std::vector<std::vector<double>> numbers_of(const Stages& s) {
   of(Stage::chains).add(s.chains.junctions);
   of(Stage::fit).add(s.drawing.curves);
   of(Stage::fit).add(s.drawing.junctions);
+  for (const Fill& fill : s.drawing.fills) of(Stage::fit).add(fill.outlines);
   std::vector<std::vector<double>> values;
   for (const Numbers& numbers : n) values.push_back(numbers.values());
   return values;

@@ -80,6 +80,23 @@ TEST(Svg, ClosedCurvesEndWithZOpenOnesDoNot) {
   EXPECT_EQ(path_of(loop).find('z'), std::string::npos);
 }
 
+TEST(Svg, FillsAreAGroupOfTheirOwnBelowTheCurves) {
+  Curve loop;
+  loop.closed = true;
+  loop.segments = {{{0, 0}, {1, 0}, {2, 1}, {2, 2}}, {{2, 2}, {1, 2}, {0, 1}, {0, 0}}};
+  Drawing drawing = drawing_of({line({0, 0}, {1, 0})});
+  drawing.fills = {{{loop, loop}}, {{loop}}};
+  const std::string text = svg_text(drawing, {}, "");
+  const std::string group = only(text, "(<g id=\"fills\"[^>]*>)");
+  EXPECT_NE(group.find("fill-rule=\"evenodd\""), std::string::npos);
+  EXPECT_NE(group.find("stroke=\"none\""), std::string::npos);
+  const std::string data = "M0,0 C1,0 2,1 2,2 C1,2 0,1 0,0 z";
+  EXPECT_EQ(only(text, "<path id=\"fill-1\" d=\"([^\"]*)\""), data + " " + data);
+  EXPECT_EQ(only(text, "<path id=\"fill-2\" d=\"([^\"]*)\""), data);
+  EXPECT_LT(text.find("id=\"fill-2\""), text.find("id=\"curve-1\""));
+  EXPECT_EQ(svg_text(drawing_of({}), {}, "").find("fills"), std::string::npos);
+}
+
 TEST(Svg, NumbersAreShortest) {
   EXPECT_EQ(path_of(line({100, -0.0001}, {0.1 + 0.2, 1e-9})).substr(0, 7), "M100,0 ");
   const Curve curve = line({1.0004, 2.0006}, {1234.5, 0.0999});

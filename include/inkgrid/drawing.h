@@ -24,12 +24,18 @@ struct Curve {
   std::uint64_t id = 0;  // tells the curves of a drawing apart, and is the same in another run where the curve runs the same
 };
 
+// A filled area: closed curves, without width or junctions; inside is what an odd number of them encloses.
+struct Fill {
+  std::vector<Curve> outlines;  // the outermost first
+};
+
 struct Drawing {
   int width = 0;  // px, those of the input
   int height = 0;
   double pixels_per_mm = 0;     // 0: unknown
   std::vector<Vec2> junctions;  // points that curves share, to the last digit
   std::vector<Curve> curves;
+  std::vector<Fill> fills;
 };
 
 }  // namespace inkgrid

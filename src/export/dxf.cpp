@@ -25,8 +25,8 @@ void add_line_type(DxfTags& tags) {
 void add_layers(DxfTags& tags) {
   tags.add(0, "TABLE");
   tags.add(2, "LAYER");
-  tags.add(70, 2);
-  for (const char* name : {"0", kDxfLayer}) {
+  tags.add(70, 3);
+  for (const char* name : {"0", kDxfCurveLayer, kDxfFillLayer}) {
     tags.add(0, "LAYER");
     tags.add(2, name);
     tags.add(70, 0);
@@ -48,19 +48,19 @@ std::vector<Vec2> flattened(const Curve& curve, double flatness) {
   return points;
 }
 
-void add_polyline(DxfTags& tags, const Curve& curve, const DxfFrame& frame, double flatness) {
+void add_polyline(DxfTags& tags, const Curve& curve, const char* layer, const DxfFrame& frame, double flatness) {
   tags.add(0, "POLYLINE");
-  tags.add(8, kDxfLayer);
+  tags.add(8, layer);
   tags.add(66, 1);  // vertices follow
   tags.point(10, {});
   tags.add(70, curve.closed ? kClosed : 0);
   for (const Vec2 p : flattened(curve, flatness)) {
     tags.add(0, "VERTEX");
-    tags.add(8, kDxfLayer);
+    tags.add(8, layer);
     tags.point(10, frame(p));
   }
   tags.add(0, "SEQEND");
-  tags.add(8, kDxfLayer);
+  tags.add(8, layer);
 }
 
 void add_polylines_file(DxfTags& tags, const Drawing& drawing, const DxfFrame& frame, double flatness) {
@@ -73,7 +73,9 @@ void add_polylines_file(DxfTags& tags, const Drawing& drawing, const DxfFrame& f
   add_layers(tags);
   tags.end();
   tags.begin("ENTITIES");
-  for (const Curve& curve : drawing.curves) add_polyline(tags, curve, frame, flatness);
+  for (const Fill& fill : drawing.fills)
+    for (const Curve& outline : fill.outlines) add_polyline(tags, outline, kDxfFillLayer, frame, flatness);
+  for (const Curve& curve : drawing.curves) add_polyline(tags, curve, kDxfCurveLayer, frame, flatness);
   tags.end();
 }
 

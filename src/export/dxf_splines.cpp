@@ -77,7 +77,9 @@ void add_header(DxfTags& tags, const Drawing& drawing, const DxfFrame& frame, Le
   constexpr int kRoom = 0x1000;  // for the handles of all that is no curve
   tags.begin("HEADER");
   tags.variable("$ACADVER", 1, "AC1015");
-  tags.variable("$HANDSEED", 5, hexadecimal(kRoom + static_cast<int>(drawing.curves.size())));
+  std::size_t splines = drawing.curves.size();
+  for (const Fill& fill : drawing.fills) splines += fill.outlines.size();
+  tags.variable("$HANDSEED", 5, hexadecimal(kRoom + static_cast<int>(splines)));
   tags.variable("$INSUNITS", 70, units(unit));
   add_extents(tags, drawing, frame);
   tags.end();
@@ -88,7 +90,7 @@ void add_tables(DxfTags& tags, Objects& objects) {
   const auto none = std::span<const Objects::Record>();
   const auto fresh = [&](std::string_view name) { return Objects::Record{name, objects.fresh()}; };
   const Objects::Record line_types[] = {fresh("ByBlock"), fresh("ByLayer"), fresh("Continuous")};
-  const Objects::Record layers[] = {fresh("0"), fresh(kDxfLayer)};
+  const Objects::Record layers[] = {fresh("0"), fresh(kDxfCurveLayer), fresh(kDxfFillLayer)};
   const Objects::Record styles[] = {fresh("Standard")};
   const Objects::Record applications[] = {fresh("ACAD")};
   const Objects::Record blocks[] = {{"*Model_Space", kModelSpace}, {"*Paper_Space", kPaperSpace}};
@@ -144,10 +146,10 @@ void add_knots(DxfTags& tags, int segments) {
   }
 }
 
-void add_spline(DxfTags& tags, Objects& objects, const Curve& curve, const DxfFrame& frame) {
+void add_spline(DxfTags& tags, Objects& objects, const Curve& curve, const char* layer, const DxfFrame& frame) {
   const int segments = static_cast<int>(curve.segments.size());
   const int points = kDegree * segments + 1;
-  objects.entity("SPLINE", kModelSpace, kDxfLayer);
+  objects.entity("SPLINE", kModelSpace, layer);
   tags.add(100, "AcDbSpline");
   tags.add(70, kPlanar + (curve.closed ? kClosed : 0));
   tags.add(71, kDegree);
@@ -190,7 +192,9 @@ void add_splines_file(DxfTags& tags, const Drawing& drawing, const DxfFrame& fra
   add_tables(tags, objects);
   add_blocks(tags, objects);
   tags.begin("ENTITIES");
-  for (const Curve& curve : drawing.curves) add_spline(tags, objects, curve, frame);
+  for (const Fill& fill : drawing.fills)
+    for (const Curve& outline : fill.outlines) add_spline(tags, objects, outline, kDxfFillLayer, frame);
+  for (const Curve& curve : drawing.curves) add_spline(tags, objects, curve, kDxfCurveLayer, frame);
   tags.end();
   add_objects(tags, objects);
 }

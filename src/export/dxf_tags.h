@@ -11,8 +11,9 @@
 
 namespace inkgrid {
 
-inline constexpr const char* kDxfLayer = "CURVES";
-inline constexpr int kDxfBlack = 7;  // black on white, white on black
+inline constexpr const char* kDxfCurveLayer = "CURVES";
+inline constexpr const char* kDxfFillLayer = "FILLS";  // outlines of filled areas
+inline constexpr int kDxfBlack = 7;                    // black on white, white on black
 
 class DxfTags {
  public:

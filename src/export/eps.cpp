@@ -13,7 +13,7 @@ constexpr const char* kProlog =
     "%%BeginProlog\n"
     "/q /gsave load def /Q /grestore load def /cm { 6 array astore concat } bind def\n"
     "/J /setlinecap load def /j /setlinejoin load def /w /setlinewidth load def\n"
-    "/m /moveto load def /c /curveto load def /h /closepath load def /S /stroke load def\n"
+    "/m /moveto load def /c /curveto load def /h /closepath load def /S /stroke load def /f* /eofill load def\n"
     "%%EndProlog\n";
 
 std::string whole(double points) {

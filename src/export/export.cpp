@@ -99,15 +99,19 @@ void check(Vec2 p) {
   check(p.y);
 }
 
+void check(const Curve& curve) {
+  check(curve.width);
+  check(curve.coverage);
+  for (const Cubic& c : curve.segments)
+    for (const Vec2 p : {c.p0, c.p1, c.p2, c.p3}) check(p);
+}
+
 // No writer meets what is no number.
 void check(const Drawing& drawing) {
   for (const Vec2 p : drawing.junctions) check(p);
-  for (const Curve& curve : drawing.curves) {
-    check(curve.width);
-    check(curve.coverage);
-    for (const Cubic& c : curve.segments)
-      for (const Vec2 p : {c.p0, c.p1, c.p2, c.p3}) check(p);
-  }
+  for (const Curve& curve : drawing.curves) check(curve);
+  for (const Fill& fill : drawing.fills)
+    for (const Curve& outline : fill.outlines) check(outline);
 }
 
 }  // namespace

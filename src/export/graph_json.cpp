@@ -18,10 +18,20 @@ Json junction_json(int junction) {
   return junction < 0 ? Json() : Json(junction + 1);
 }
 
-Json curve_json(const Curve& curve, int id) {
+Json points_json(const Curve& curve) {
   Json points = Json::array({point_json(curve.segments.front().p0)});
   for (const Cubic& c : curve.segments)
     for (const Vec2 p : {c.p1, c.p2, c.p3}) points.push_back(point_json(p));
+  return points;
+}
+
+Json fill_json(const Fill& fill, int id) {
+  Json outlines = Json::array();
+  for (const Curve& outline : fill.outlines) outlines.push_back(points_json(outline));
+  return {{"id", id}, {"outlines", std::move(outlines)}};
+}
+
+Json curve_json(const Curve& curve, int id) {
   return {{"id", id},
           {"key", std::to_string(curve.id)},
           {"closed", curve.closed},
@@ -29,7 +39,7 @@ Json curve_json(const Curve& curve, int id) {
           {"coverage", curve.coverage},
           {"start", junction_json(curve.start_junction)},
           {"end", junction_json(curve.end_junction)},
-          {"points", std::move(points)}};
+          {"points", points_json(curve)}};
 }
 
 std::string text_of(const Json& json) {
@@ -55,6 +65,7 @@ std::string graph_json(const Drawing& drawing, const ExportOptions& options, con
   text.pop_back();
   text += ",\n\"junctions\":" + lines(drawing.junctions, [](Vec2 p, int id) { return Json{{"id", id}, {"at", point_json(p)}}; });
   text += ",\n\"curves\":" + lines(drawing.curves, curve_json);
+  text += ",\n\"fills\":" + lines(drawing.fills, fill_json);
   return text + "}\n";
 }
 

@@ -12,7 +12,7 @@ std::string operands(std::initializer_list<Vec2> points) {
 std::string path(const Curve& curve) {
   std::string text = operands({curve.segments.front().p0}) + "m\n";
   for (const Cubic& c : curve.segments) text += operands({c.p1, c.p2, c.p3}) + "c\n";
-  return text + (curve.closed ? "h S\n" : "S\n");
+  return text + (curve.closed ? "h " : "");
 }
 
 }  // namespace
@@ -23,8 +23,12 @@ Page page_of(const Drawing& drawing, const ExportOptions& options) {
   Page page{paper.points_a_pixel * drawing.width, paper.points_a_pixel * drawing.height, "q\n1 J 1 j\n"};
   const std::string scale = decimal(paper.points_a_pixel, kScalePlaces);
   page.content += scale + " 0 0 -" + scale + " 0 " + decimal(page.height, kScalePlaces) + " cm\n";
+  for (const Fill& fill : drawing.fills) {
+    for (const Curve& outline : fill.outlines) page.content += path(outline);
+    page.content += "f*\n";
+  }
   for (const Curve& curve : drawing.curves)
-    page.content += coordinate(stroke_width(curve, options, paper)) + " w\n" + path(curve);
+    page.content += coordinate(stroke_width(curve, options, paper)) + " w\n" + path(curve) + "S\n";
   page.content += "Q\n";
   return page;
 }

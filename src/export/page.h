@@ -1,4 +1,4 @@
-// What:   the curves in the operators that PDF and PostScript share: q cm J j w m c h S.
+// What:   curves and fills in the operators that PDF and PostScript share: q cm J j w m c h S f*.
 // Source: ISO 32000-1, section 8; in PostScript a prolog defines the same names.
 // Differs: we write the operators ourselves, because cairo rounds coordinates to 1/256 point and puts the date into its files.
 // Cost:   linear in the number of segments.

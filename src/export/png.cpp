@@ -1,4 +1,4 @@
-// PNG: black curves on white paper.
+// PNG: black curves and fills on white paper.
 #include <cairo.h>
 
 #include <memory>
@@ -25,11 +25,21 @@ int scaled_side(int side, double scale) {
   return static_cast<int>(scaled);
 }
 
-void stroke(cairo_t* cairo, const Curve& curve, double width) {
+void add_path(cairo_t* cairo, const Curve& curve) {
   const Vec2 start = curve.segments.front().p0;
   cairo_move_to(cairo, start.x, start.y);
   for (const Cubic& c : curve.segments) cairo_curve_to(cairo, c.p1.x, c.p1.y, c.p2.x, c.p2.y, c.p3.x, c.p3.y);
   if (curve.closed) cairo_close_path(cairo);
+}
+
+void fill(cairo_t* cairo, const Fill& fill) {
+  for (const Curve& outline : fill.outlines) add_path(cairo, outline);
+  cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_fill(cairo);
+}
+
+void stroke(cairo_t* cairo, const Curve& curve, double width) {
+  add_path(cairo, curve);
   cairo_set_line_width(cairo, width);
   cairo_stroke(cairo);
 }
@@ -52,6 +62,7 @@ std::string png_bytes(const Drawing& drawing, const ExportOptions& options, cons
   cairo_set_line_cap(cairo.get(), CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_scale(cairo.get(), options.png_scale, options.png_scale);
+  for (const Fill& area : drawing.fills) fill(cairo.get(), area);
   for (const Curve& curve : drawing.curves) stroke(cairo.get(), curve, stroke_width(curve, options, paper));
   std::string bytes;
   if (cairo_status(cairo.get()) != CAIRO_STATUS_SUCCESS ||

@@ -16,6 +16,18 @@ std::string path_data(const Curve& curve) {
   return data;
 }
 
+std::string fills_group(const std::vector<Fill>& fills) {
+  if (fills.empty()) return "";
+  std::string text = "<g id=\"fills\" fill=\"black\" fill-rule=\"evenodd\" stroke=\"none\">\n";
+  int count = 0;
+  for (const Fill& fill : fills) {
+    std::string data;
+    for (const Curve& outline : fill.outlines) data += (data.empty() ? "" : " ") + path_data(outline);
+    text += "<path id=\"fill-" + std::to_string(++count) + "\" d=\"" + data + "\"/>\n";
+  }
+  return text + "</g>\n";
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -55,6 +67,7 @@ std::string svg_text(const Drawing& drawing, const ExportOptions& options, const
   const Paper paper = paper_of(drawing, options);
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_tag(drawing, paper);
   text += "<metadata>" + escaped(description) + "</metadata>\n";
+  text += fills_group(drawing.fills);
   text += "<g fill=\"none\" stroke=\"black\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   int count = 0;
   for (const Curve& curve : drawing.curves) {

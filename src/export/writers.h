@@ -11,14 +11,16 @@
 namespace inkgrid {
 
 // viewBox in pixels; width and height in the unit; one <path> a curve with a stable id and its stroke width; `z` on closed
-// curves.  Numbers have at most 3 places; points that are equal are written equally.
+// curves; filled areas in the group "fills", below the curves, where there are any.  Numbers have at most 3 places; points that
+// are equal are written equally.
 std::string svg_text(const Drawing& drawing, const ExportOptions& options, const std::string& description);
 
 // One page of the drawing's size.
 std::string pdf_text(const Drawing& drawing, const ExportOptions& options, const std::string& description);
 std::string eps_text(const Drawing& drawing, const ExportOptions& options, const std::string& description);
 
-// In the unit, y up, on the layer CURVES: a polyline a curve (R12), or a spline a curve (2000).  Widths are left out.
+// In the unit, y up: a polyline a curve (R12), or a spline a curve (2000), on the layer CURVES, outlines of fills on the layer
+// FILLS.  Widths are left out.
 std::string dxf_text(const Drawing& drawing, const ExportOptions& options, const std::string& description);
 
 // Black on white.  The description is left out.

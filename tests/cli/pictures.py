@@ -69,9 +69,29 @@ def points_on(curve, step=0.25):
     return found
 
 
+def covered(outlines, x, y, samples=4):
+    """The part of a pixel that is inside, by the crossings of rays to the left."""
+    inside = 0
+    for k in range(samples):
+        level = y + (k + 0.5) / samples
+        crossings = [p[0] + (level - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
+                     for points in outlines for p, q in zip(points, points[1:]) if (p[1] > level) != (q[1] > level)]
+        inside += sum(sum(c < x + (i + 0.5) / samples for c in crossings) % 2 for i in range(samples))
+    return inside / samples ** 2
+
+
+def fill(ink, outlines):
+    xs, ys = zip(*(p for points in outlines for p in points))
+    for y in range(max(0, int(min(ys))), min(len(ink), int(max(ys)) + 1)):
+        for x in range(max(0, int(min(xs))), min(len(ink[0]), int(max(xs)) + 1)):
+            ink[y][x] = max(ink[y][x], covered(outlines, x, y))
+
+
 def drawn(graph, width=None):
-    """Black strokes on white, by the distance of each pixel to the curves; of their measured widths, or of one width."""
+    """Black strokes on white, by the distance of each pixel to the curves, of their measured widths or of one width; and fills."""
     ink = [[0.0] * graph['width'] for _ in range(graph['height'])]
+    for area in graph['fills']:
+        fill(ink, [points_on({'points': points}) for points in area['outlines']])
     for curve in graph['curves']:
         radius = (width or curve['width']) / 2
         for px, py in points_on(curve):

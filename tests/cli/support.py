@@ -107,14 +107,20 @@ class CommandTest(unittest.TestCase):
         return self.read(name) if os.path.isfile(self.path(name)) else None
 
     def check_svg(self, text):
-        """Well-formed, finite, closed paths end where they began; the number of its curves."""
+        """Well-formed, finite, closed paths end where they began, fills are closed; the number of its curves."""
         root = ElementTree.fromstring(text)
         self.assertEqual(root.tag, SVG + 'svg')
-        paths = root.findall('.//' + SVG + 'path')
-        for number, path in enumerate(paths, 1):
+        fills = root.findall(".//%sg[@id='fills']/%spath" % (SVG, SVG))
+        for number, path in enumerate(fills, 1):
+            self.assertEqual(path.get('id'), 'fill-%d' % number)
+            for part in re.findall('M[^M]*', path.get('d')):
+                self.assertTrue(part.strip().endswith('z'))
+                self.check_path(part.strip())
+        curves = [path for path in root.iter(SVG + 'path') if path not in fills]
+        for number, path in enumerate(curves, 1):
             self.assertEqual(path.get('id'), 'curve-%d' % number)
             self.check_path(path.get('d'))
-        return len(paths)
+        return len(curves)
 
     def check_path(self, data):
         self.assertRegex(data, r'\AM\S+( C\S+ \S+ \S+)+( z)?\Z')

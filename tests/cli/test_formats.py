@@ -18,12 +18,14 @@ SAME = 0.8  # of 255: what two programs that smooth edges differ by, on average 
 
 
 def sketch():
-    """A cross and, apart from it, a circle: open curves, a junction, a closed curve; 200 x 120 px."""
+    """A cross and, apart from it, a circle and a filled ring: open curves, a junction, a closed curve, a fill; 200 x 120 px."""
     rows = blank(200, 120)
     paint_line(rows, (15, 70), (105, 40), 6)
     paint_line(rows, (50, 15), (75, 105), 5)
     for k in range(400):
         paint_disc(rows, 155 + 30 * math.cos(math.pi * k / 200), 60 + 30 * math.sin(math.pi * k / 200), 2)
+    paint_disc(rows, 24, 24, 17)
+    paint_disc(rows, 23, 25, 2.5, 255)
     return rows
 
 
@@ -102,6 +104,10 @@ class PicturesOfFormats(FormatTest):
             self.assertRegex(told.stdout.decode(), r'(?s)Subject: +inkgrid \d.*Pages: +1\n.*Page size: +%s pts' % size)
 
 
+def curve_paths(root):
+    return [path for path in root.iter(SVG + 'path') if path.get('id').startswith('curve-')]
+
+
 class SvgOptions(FormatTest):
     def root(self, *words, **more):
         self.make('-o', 'out.svg', *words, **more)
@@ -113,11 +119,11 @@ class SvgOptions(FormatTest):
             self.assertEqual((root.get('width'), root.get('height'), root.get('viewBox')), (*size, '0 0 200 120'))
 
     def test_widths(self):
-        measured = [float(path.get('stroke-width')) for path in self.root().iter(SVG + 'path')]
+        measured = [float(path.get('stroke-width')) for path in curve_paths(self.root())]
         self.assertEqual(measured, [round(curve['width'], 3) for curve in self.graph['curves']])
         self.assertGreater(len(set(measured)), 1)
         root = self.root('--stroke-width', '0.2', dots_per_metre=DOTS_PER_METRE)
-        self.assertEqual({path.get('stroke-width') for path in root.iter(SVG + 'path')}, {'2'})
+        self.assertEqual({path.get('stroke-width') for path in curve_paths(root)}, {'2'})
 
 
 class Dxf(FormatTest):
@@ -128,15 +134,19 @@ class Dxf(FormatTest):
         audit = document.audit()
         self.assertEqual((audit.errors, audit.fixes), ([], []))
         entities = list(document.modelspace())
-        self.assertEqual({entity.dxf.layer for entity in entities}, {'CURVES'})
-        self.assertEqual(len(entities), len(self.graph['curves']))
-        return entities, document
+        self.assertEqual({entity.dxf.layer for entity in entities}, {'CURVES', 'FILLS'})
+        curves = [entity for entity in entities if entity.dxf.layer == 'CURVES']
+        self.assertEqual(len(curves), len(self.graph['curves']))
+        self.outlines = [{'closed': True, 'points': points} for area in self.graph['fills'] for points in area['outlines']]
+        fills = [entity for entity in entities if entity.dxf.layer == 'FILLS']
+        self.assertEqual((len(fills), len(self.outlines)), (2, 2))
+        return fills + curves, document
 
     def in_pixels(self, point, scale=1.0):
         return point[0] / scale, self.graph['height'] - point[1] / scale
 
     def check_polylines(self, entities, scale, flatness):
-        for entity, curve in zip(entities, self.graph['curves']):
+        for entity, curve in zip(entities, self.outlines + self.graph['curves']):
             self.assertEqual(entity.dxftype(), 'POLYLINE')
             self.assertEqual(entity.is_closed, curve['closed'])
             corners = [self.in_pixels(vertex.dxf.location, scale) for vertex in entity.vertices]
@@ -166,7 +176,7 @@ class Dxf(FormatTest):
     def test_splines_are_the_curves(self):
         entities, document = self.read_back('--dxf-curves', 'splines', dots_per_metre=DOTS_PER_METRE)
         self.assertEqual((document.dxfversion, document.units), ('AC1015', ezdxf.units.MM))
-        for entity, curve in zip(entities, self.graph['curves']):
+        for entity, curve in zip(entities, self.outlines + self.graph['curves']):
             self.assertEqual((entity.dxftype(), entity.dxf.degree, entity.closed), ('SPLINE', 3, curve['closed']))
             controls = [self.in_pixels(p, 0.1) for p in entity.control_points]
             self.assertEqual(len(controls), len(curve['points']))
@@ -203,13 +213,13 @@ class Graph(FormatTest):
 
     def test_schema_refuses_what_is_wrong(self):
         self.make()
-        for name, value in (('version', 2), ('curves', [{}]), ('width', -1), ('more', 1)):
+        for name, value in (('version', 2), ('curves', [{}]), ('fills', [{'id': 1}]), ('width', -1), ('more', 1)):
             with self.assertRaises(jsonschema.ValidationError):
                 jsonschema.validate({**self.graph, name: value}, self.schema())
 
     def test_says_what_the_svg_draws(self):
         self.make('-o', 'out.svg')
-        paths = list(ElementTree.fromstring(self.read('out.svg')).iter(SVG + 'path'))
+        paths = curve_paths(ElementTree.fromstring(self.read('out.svg')))
         self.assertEqual([path.get('id') for path in paths], ['curve-%d' % curve['id'] for curve in self.graph['curves']])
         for path, curve in zip(paths, self.graph['curves']):
             numbers = [float(number) for number in re.findall(r'-?[\d.]+', path.get('d'))]
