@@ -1,0 +1,297 @@
+// What people know goes wrong when line drawings are vectorised, each on a small drawing of its own with known curves.
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "base/cubic.h"
+#include "drawings.h"
+#include "inkgrid/inkgrid.h"
+
+namespace inkgrid {
+namespace {
+
+using std::numbers::pi;
+using testing::arc;
+using testing::blank;
+using testing::circle;
+using testing::distance_to_segment;
+using testing::paint;
+
+using Line = std::vector<Vec2>;
+
+constexpr double kDegree = pi / 180;
+
+Vec2 polar(double radius, double angle) {
+  return radius * Vec2{std::cos(angle), std::sin(angle)};
+}
+
+Line points_of(const Curve& curve) {
+  Line points;
+  for (const Cubic& c : curve.segments)
+    for (int k = 0; k < 24; ++k) points.push_back(point_on(c, k / 24.0));
+  points.push_back(curve.segments.back().p3);
+  return points;
+}
+
+std::vector<Line> lines_of(const Drawing& drawing) {
+  std::vector<Line> lines;
+  for (const Curve& curve : drawing.curves) lines.push_back(points_of(curve));
+  return lines;
+}
+
+Line dense(const Line& line) {
+  Line points;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int steps = 1 + static_cast<int>(norm(line[i + 1] - line[i]));
+    for (int k = 0; k <= steps; ++k) points.push_back(lerp(line[i], line[i + 1], static_cast<double>(k) / steps));
+  }
+  return points;
+}
+
+double distance(Vec2 p, const std::vector<Line>& lines) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) least = std::min(least, distance_to_segment(p, line[i], line[i + 1]));
+  return least;
+}
+
+double farthest(const std::vector<Line>& from, const std::vector<Line>& to) {
+  double most = 0;
+  for (const Line& line : from)
+    for (const Vec2 p : dense(line)) most = std::max(most, distance(p, to));
+  return most;
+}
+
+double distance_between(const std::vector<Line>& a, const std::vector<Line>& b) {
+  return std::max(farthest(a, b), farthest(b, a));
+}
+
+// Signed and absolute angle that a line turns by, over chords of about `step` px, which pass over pixel noise.
+struct Turning {
+  double whole = 0, absolute = 0, sharpest = 0;  // rad; the sharpest between two chords
+};
+
+Turning turning_of(const Line& line, double step, bool closed) {
+  Line chords{line.front()};
+  for (const Vec2 p : dense(line))
+    if (norm(p - chords.back()) >= step) chords.push_back(p);
+  if (closed) chords.insert(chords.end(), {chords[0], chords[1]});
+  Turning turning;
+  for (std::size_t i = 1; i + 1 < chords.size(); ++i) {
+    const Vec2 in = chords[i] - chords[i - 1], out = chords[i + 1] - chords[i];
+    if (closed && norm(in) < 0.6 * step) continue;
+    const double angle = std::atan2(cross(in, out), dot(in, out));
+    turning.whole += angle;
+    turning.absolute += std::abs(angle);
+    turning.sharpest = std::max(turning.sharpest, std::abs(angle));
+  }
+  return turning;
+}
+
+Drawing traced(const Image& image, Preset preset = Preset::automatic) {
+  Options options;
+  options.preset = preset;
+  return vectorize(image, options).drawing;
+}
+
+Image painted(const std::vector<Line>& lines, double pen, int width, int height, double grey = 0) {
+  Image image = blank(width, height);
+  for (const Line& line : lines) paint(image, line, pen, grey);
+  return image;
+}
+
+// ---------------------------------------------------------------- ends
+
+class EachPenAndAngle : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(EachPenAndAngle, EndsAreNotCutBack) {
+  const auto [pen, degrees] = GetParam();
+  const double length = 40 + 12 * pen;
+  const int size = static_cast<int>(length + 4 * pen + 20);
+  const Vec2 middle{size / 2.0 + 0.3, size / 2.0 - 0.2}, half = polar(length / 2, (degrees + 7) * kDegree);
+  const Line truth{middle - half, middle + half};
+  const Drawing drawing = traced(painted({truth}, pen, size, size));
+  ASSERT_EQ(drawing.curves.size(), 1u);
+  const Line found = points_of(drawing.curves[0]);
+  for (const Vec2 end : truth)
+    EXPECT_LT(std::min(norm(found.front() - end), norm(found.back() - end)), 0.15 * pen + 0.35) << "of " << pen;
+  EXPECT_LT(distance_between({found}, {truth}), 0.15 * pen + 0.35);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, EachPenAndAngle, ::testing::Combine(::testing::Values(5.0, 12.0), ::testing::Range(0, 180, 15)));
+
+// ---------------------------------------------------------------- round shapes
+
+class EachRadius : public ::testing::TestWithParam<double> {};
+
+TEST_P(EachRadius, ACircleIsOneClosedCurveWithoutKinks) {
+  const double pen = 4, radius = GetParam() * pen;
+  const int size = static_cast<int>(2 * radius + 40);
+  const Line truth = circle({size / 2.0 + 0.3, size / 2.0 - 0.2}, radius);
+  const Drawing drawing = traced(painted({truth}, pen, size, size));
+  ASSERT_EQ(drawing.curves.size(), 1u);
+  EXPECT_TRUE(drawing.curves[0].closed);
+  EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.4);
+  const Turning turning = turning_of(points_of(drawing.curves[0]), 0.5 * pen, true);
+  EXPECT_NEAR(std::abs(turning.whole), 2 * pi, 0.4);
+  EXPECT_LT(turning.absolute, 1.1 * 2 * pi);
+  EXPECT_LT(turning.sharpest, 2.5 * 0.5 / GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Round, EachRadius, ::testing::Values(2, 2.5, 3, 5, 8, 15));
+
+// ---------------------------------------------------------------- junctions and corners
+
+class EachAngle : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+// A stem that forks into two arms.
+TEST_P(EachAngle, AForkIsOneJunctionWhereTheStrokesMeet) {
+  const auto [pen, degrees] = GetParam();
+  const double arm = 40 * pen;
+  const Vec2 fork{20 + 12 * pen, 20 * pen + 20};
+  const std::vector<Line> truth{{fork - Vec2{10 * pen, 0}, fork},
+                                {fork, fork + polar(arm, degrees * kDegree / 2)},
+                                {fork, fork + polar(arm, -degrees * kDegree / 2)}};
+  const Drawing drawing = traced(painted(truth, pen, static_cast<int>(fork.x + arm + 20), static_cast<int>(2 * fork.y)));
+  EXPECT_EQ(drawing.curves.size(), 3u);
+  ASSERT_EQ(drawing.junctions.size(), 1u);
+  EXPECT_LT(norm(drawing.junctions[0] - fork), pen * std::max(0.5, 15.0 / degrees)) << "of " << pen;
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.35 * pen + 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, EachAngle, ::testing::Combine(::testing::Values(3.0, 6.0), ::testing::Range(30, 65, 5)));
+
+class EachStar : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(EachStar, ManyStrokesMeetInOneJunction) {
+  const auto [pen, arms] = GetParam();
+  const int size = static_cast<int>(60 * pen);
+  const Vec2 centre{size / 2.0 + 0.2, size / 2.0 - 0.3};
+  std::vector<Line> truth;
+  for (int k = 0; k < arms; ++k) truth.push_back({centre, centre + polar(25 * pen, 0.13 + 2 * pi * k / arms)});
+  const Drawing drawing = traced(painted(truth, pen, size, size));
+  EXPECT_EQ(drawing.curves.size(), static_cast<std::size_t>(arms));
+  ASSERT_EQ(drawing.junctions.size(), 1u);
+  EXPECT_LT(norm(drawing.junctions[0] - centre), 0.4 * pen);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.3 * pen + 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stars, EachStar, ::testing::Combine(::testing::Values(3.0, 5.0, 8.0), ::testing::Values(3, 4)));
+
+// ---------------------------------------------------------------- close strokes
+
+class EachGap : public ::testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(EachGap, CloseStrokesHaveNoRungs) {
+  const auto [pen, gap] = GetParam();
+  const double apart = (1 + gap) * pen;
+  std::vector<Line> truth;
+  for (int k = 0; k < 3; ++k) {
+    Line line;
+    for (double t = 0; t <= 1; t += 0.02)
+      line.push_back({20 + 60 * pen * t, 20 + k * apart + 4 * pen * std::sin(3 * t) + 3 * pen});
+    truth.push_back(line);
+  }
+  const Drawing drawing =
+      traced(painted(truth, pen, static_cast<int>(60 * pen + 40), static_cast<int>(40 + 3 * apart + 8 * pen)), Preset::clean);
+  EXPECT_EQ(drawing.curves.size(), 3u) << "of " << pen << " px, " << gap << " apart";
+  EXPECT_TRUE(drawing.junctions.empty());
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.25 * pen + 0.4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gaps, EachGap, ::testing::Combine(::testing::Values(4.0, 7.0), ::testing::Values(0.7, 1.0)));
+
+// ---------------------------------------------------------------- pens
+
+TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
+  std::vector<Line> truth;
+  std::vector<double> pens{1.5, 3, 6, 12, 24, 40};
+  Image image = blank(560, 360);
+  double y = 20;
+  for (const double pen : pens) {
+    y += pen / 2;
+    truth.push_back({{40, y}, {520, y + 12}});
+    paint(image, truth.back(), pen);
+    y += pen / 2 + 26;
+  }
+  const Drawing drawing = traced(image);
+  EXPECT_EQ(drawing.curves.size(), pens.size());
+  EXPECT_EQ(drawing.fills.size(), 0u);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 3);
+  for (std::size_t k = 0; k < pens.size(); ++k) {
+    double width = 0;
+    for (const Curve& curve : drawing.curves)
+      if (farthest({points_of(curve)}, {truth[k]}) < 6) width = curve.width;
+    EXPECT_NEAR(width, pens[k], 0.15 * pens[k] + 0.3);
+  }
+}
+
+// ---------------------------------------------------------------- bad pictures
+
+// A loop, a line and a crossing.
+const std::vector<Line>& usual() {
+  static const std::vector<Line> lines{
+      circle({70, 75}, 40), {{20, 150}, {220, 130}}, {{140, 20}, {190, 165}}, arc({190, 60}, 30, -2, 1.5)};
+  return lines;
+}
+
+void expect_usual(const Drawing& drawing, double pen, double blur = 0.5) {
+  EXPECT_EQ(drawing.curves.size(), 6u);  // one is crossed
+  EXPECT_EQ(drawing.junctions.size(), 1u);
+  EXPECT_LT(distance_between(lines_of(drawing), usual()), 0.2 * pen + blur);
+}
+
+Image usual_image(double pen, double grey = 0) {
+  return painted(usual(), pen, 250, 190, grey);
+}
+
+TEST(BadPictures, WhiteOnBlack) {
+  Image image = usual_image(4);
+  for (auto& g : image.grey) g = static_cast<std::uint8_t>(255 - g);
+  expect_usual(traced(image), 4);
+}
+
+TEST(BadPictures, BlocksOfAnEnlargedPicture) {
+  for (const int factor : {2, 3, 4}) {
+    SCOPED_TRACE(factor);
+    const Image small = usual_image(3);
+    Image image = blank(small.width * factor, small.height * factor);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        image.grey[static_cast<std::size_t>(y * image.width + x)] =
+            small.grey[static_cast<std::size_t>(y / factor * small.width + x / factor)];
+    Drawing drawing = traced(image);
+    for (Curve& curve : drawing.curves)
+      for (Cubic& c : curve.segments)
+        for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) *p = *p / factor;
+    expect_usual(drawing, 3);
+  }
+}
+
+Image with_noise(Image image, double sigma, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, sigma);
+  for (auto& g : image.grey) g = static_cast<std::uint8_t>(std::clamp(g + noise(random), 0.0, 255.0));
+  return image;
+}
+
+TEST(BadPictures, FaintPencil) {
+  for (const double grey : {150.0, 190.0, 215.0, 230.0}) {
+    SCOPED_TRACE(grey);
+    expect_usual(traced(usual_image(3, grey)), 3);
+    expect_usual(traced(with_noise(usual_image(3, grey), 3, 5)), 3, 0.8);
+  }
+}
+
+TEST(BadPictures, UnevenLight) {
+  Image image = usual_image(4);
+  for (std::size_t k = 0; k < image.grey.size(); ++k) {
+    const double x = static_cast<double>(k % 250) / 250, y = static_cast<double>(k / 250) / 190;
+    image.grey[k] = static_cast<std::uint8_t>(image.grey[k] * (1 - 0.5 * x * y - 0.1 * x));
+  }
+  expect_usual(traced(image), 4);
+}
+
+}  // namespace
+}  // namespace inkgrid
