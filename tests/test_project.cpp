@@ -1,6 +1,7 @@
 // Scribbles, base64 and the project file: what is written is read back, and what is wrong is refused in a sentence.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/base64.h"
@@ -143,8 +144,8 @@ TEST(Project, ReadsBackAllThatIsWritten) {
 TEST(Project, EveryOptionThatIsNoDefaultReadsBack) {
   for (const OptionRow& row : option_table()) {
     Project project;
-    const bool named = std::holds_alternative<Preset Options::*>(row.member);
-    set_option(project.options, row, named ? "clean" : shortest(row.most));
+    const std::map<std::string_view, std::string> words = {{"preset", "clean"}, {"fills", "drop"}};
+    set_option(project.options, row, words.contains(row.name) ? words.at(row.name) : shortest(row.most));
     ASSERT_FALSE(is_default(project.options, row)) << row.name;
     const Project after = parse_project(project_text(project), "p.json");
     EXPECT_EQ(command_line_text(after.options), command_line_text(project.options));
