@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/digest.h"
+#include "base/parallel.h"
 #include "fit_samples.h"
 #include "fit_span.h"
 #include "fit_spline.h"
@@ -328,6 +329,18 @@ Samples side_between(const Samples& samples, const Corner& from, const Corner& t
   return side;
 }
 
+Curve fitted(const Chain& chain, const FitOptions& options) {
+  // A closed chain on a junction must pass through it, so its seam stays there.
+  const bool free_seam = chain.closed && chain.start_junction < 0 && chain.end_junction < 0;
+  return {fit_polyline(chain.points, free_seam, options),
+          chain.closed,
+          chain.width,
+          chain.coverage,
+          chain.start_junction,
+          chain.end_junction,
+          digest(chain.points)};
+}
+
 }  // namespace
 
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options) {
@@ -349,21 +362,18 @@ std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const
 }
 
 Drawing fit_curves(const Chains& chains, const FitOptions& options) {
+  const int count = static_cast<int>(chains.chains.size());
+  std::vector<Curve> curves(chains.chains.size());
+  for_ranges(options.threads, count, 1, [&](int first, int last) {
+    for (int c = first; c < last; ++c)
+      curves[static_cast<std::size_t>(c)] = fitted(chains.chains[static_cast<std::size_t>(c)], options);
+  });
   Drawing drawing;
   drawing.junctions = chains.junctions;
   std::set<std::uint64_t> ids;
-  for (const Chain& chain : chains.chains) {
-    // A closed chain on a junction must pass through it, so its seam stays there.
-    const bool free_seam = chain.closed && chain.start_junction < 0 && chain.end_junction < 0;
-    Curve curve{fit_polyline(chain.points, free_seam, options),
-                chain.closed,
-                chain.width,
-                chain.coverage,
-                chain.start_junction,
-                chain.end_junction,
-                digest(chain.points)};
+  for (Curve& curve : curves) {
     while (!ids.insert(curve.id).second) ++curve.id;  // curves through the very same points
-    if (!curve.segments.empty()) drawing.curves.push_back(curve);
+    if (!curve.segments.empty()) drawing.curves.push_back(std::move(curve));
   }
   return drawing;
 }

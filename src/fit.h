@@ -1,7 +1,7 @@
 // What:   chains to cubic Bezier curves.
 // Source: section 6.3, "Curve fitting".
 // Differs: docs/METHOD.md, "Curve fitting".
-// Cost:   linear in the number of points times the number of tries.
+// Cost:   linear in the number of points times the number of tries; curves are fitted on several threads.
 #pragma once
 
 #include <span>
@@ -15,6 +15,7 @@ namespace inkgrid {
 struct FitOptions {
   double tolerance = 1;    // px: no point of a chain is further from its curve
   double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
+  int threads = 0;         // 0: as many as the machine has
 };
 
 // Few cubic segments within the tolerance, but for points that cut a corner (they are left out, and the corner is where its sides

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <thread>
 
+#include "base/parallel.h"
 #include "map_system.h"
 
 namespace inkgrid {
@@ -63,10 +64,8 @@ class ComponentSolver {
   std::vector<int> run() {
     {
       std::vector<std::jthread> helpers;
-      const int asked = setup_.options.threads;
-      const std::size_t processors =
-          asked > 0 ? static_cast<std::size_t>(asked) : std::max(1U, std::thread::hardware_concurrency());
-      while (helpers.size() + 1 < std::min(processors, order_.size())) helpers.emplace_back([this] { work(nullptr); });
+      const auto threads = static_cast<std::size_t>(thread_count(setup_.options.threads));
+      while (helpers.size() + 1 < std::min(threads, order_.size())) helpers.emplace_back([this] { work(nullptr); });
       work(control_.progress);
     }
     if (error_) std::rethrow_exception(error_);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/parallel.h"
 #include "base/sample.h"
 #include "base/transition.h"
 
@@ -105,6 +106,17 @@ class StreamlineTracer {
   std::vector<std::array<Vec2, 3>> corners_;  // per face
 };
 
+// Lengths over ink along s and along t.  The axis across the stroke is traced first, as its streamlines are short, and the one
+// that is expected to run along it only until it has won.
+std::array<double, 2> ink_lengths(const StreamlineTracer& tracer, int face, std::size_t along, double reach, double ratio) {
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  std::array<double, 2> length;
+  const double across = length[1 - along] = tracer.ink_length(face, 1 - static_cast<int>(along), reach, kAll);
+  const double winning = ratio > 0 ? across * std::max(1.0, 1 / ratio - 1) : kAll;
+  length[along] = tracer.ink_length(face, static_cast<int>(along), reach, (1 + 1e-9) * winning);
+  return length;
+}
+
 }  // namespace
 
 std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std::vector<Label> labels) {
@@ -133,21 +145,17 @@ std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, con
   if (mesh.faces.empty()) return labels;
   const auto thick = dilated(ink);
   const StreamlineTracer tracer(mesh, charts, thick);
-  // The axis across the stroke is traced first, as its streamlines are short, and the other one only until it has won; the
-  // stroke of the last face is a good guess.
-  constexpr double kAll = std::numeric_limits<double>::infinity();
-  std::size_t along = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    if (!mesh.on_ink[static_cast<std::size_t>(f)]) continue;
-    const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[static_cast<std::size_t>(f)]);
-    std::array<double, 2> length;  // along s, along t
-    const double across = length[1 - along] = tracer.ink_length(f, 1 - static_cast<int>(along), reach, kAll);
-    const double winning = options.ratio > 0 ? across * std::max(1.0, 1 / options.ratio - 1) : kAll;
-    length[along] = tracer.ink_length(f, static_cast<int>(along), reach, (1 + 1e-9) * winning);
-    if (std::min(length[0], length[1]) > options.ratio * (length[0] + length[1])) continue;
-    along = length[0] > length[1] ? 0 : 1;
-    labels[static_cast<std::size_t>(f)] = along == 0 ? Label::along_s : Label::along_t;
-  }
+  for_ranges(options.threads, mesh.face_count(), 1024, [&](int first, int last) {
+    std::size_t along = 0;
+    for (int f = first; f < last; ++f) {
+      if (!mesh.on_ink[static_cast<std::size_t>(f)]) continue;
+      const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[static_cast<std::size_t>(f)]);
+      const auto length = ink_lengths(tracer, f, along, reach, options.ratio);
+      if (std::min(length[0], length[1]) > options.ratio * (length[0] + length[1])) continue;
+      along = length[0] > length[1] ? 0 : 1;
+      labels[static_cast<std::size_t>(f)] = along == 0 ? Label::along_s : Label::along_t;
+    }
+  });
   return labels;
 }
 

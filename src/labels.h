@@ -19,6 +19,7 @@ enum class Label : std::uint8_t {
 struct LabelOptions {
   double length = 4;    // of a streamline, strokes
   double ratio = 0.48;  // above it the triangle stays unlabelled
+  int threads = 0;      // 0: as many as the machine has
 };
 
 // Labels carried from the ink over the paper between strokes of one line (faces in_stroke), breadth first through the charts.

@@ -228,7 +228,7 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
   if (first <= Stage::labels)
     stages.labels = run("labels", 0.52, [&] {
-      return label_strokes(stages.mesh, stages.charts, stages.slim, {options.label_length, options.label_ratio});
+      return label_strokes(stages.mesh, stages.charts, stages.slim, {options.label_length, options.label_ratio, options.threads});
     });
   const GridMapOptions map_options{*options.spacing / slimness(stages),
                                    options.snap,
@@ -293,7 +293,7 @@ void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
   if (first <= Stage::fit) {
     const double width = stages.ink.stroke_width;
     const double corner_span = std::min(width, kCornerSpan * stages.slim.stroke_width);
-    const FitOptions fit_options{stages.inputs.settled.tolerance * width, corner_span};
+    const FitOptions fit_options{stages.inputs.settled.tolerance * width, corner_span, stages.inputs.settled.threads};
     stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
     stages.drawing.fills = fitted_fills(stages);
     count_curves(stages.drawing, stages.report);

@@ -25,12 +25,12 @@ Block product(const Block& x, const Block& y) {
   return {x.a * y.a + x.b * y.c, x.a * y.b + x.b * y.d, x.c * y.a + x.d * y.c, x.c * y.b + x.d * y.d};
 }
 
-// sum -= x y'
+// sum -= x y
 void subtract_product(Block& sum, const Block& x, const Block& y) {
-  sum.a -= x.a * y.a + x.b * y.b;
-  sum.b -= x.a * y.c + x.b * y.d;
-  sum.c -= x.c * y.a + x.d * y.b;
-  sum.d -= x.c * y.c + x.d * y.d;
+  sum.a -= x.a * y.a + x.b * y.c;
+  sum.b -= x.a * y.b + x.b * y.d;
+  sum.c -= x.c * y.a + x.d * y.c;
+  sum.d -= x.c * y.b + x.d * y.d;
 }
 
 double determinant(const Block& x) {
@@ -198,9 +198,9 @@ PairLdl::PairLdl(const PairMatrix& matrix)
       row[at(i)] = {};
       for (int e = starts_[at(i)]; e < ends[at(i)]; ++e) subtract_product(row[at(rows_[at(e)])], term, blocks_[at(e)]);
       const Block entry = product(term, inverse_pivots_[at(i)]);
-      subtract_product(pivots[at(k)], entry, term);
+      subtract_product(pivots[at(k)], entry, transposed(term));
       rows_[at(ends[at(i)])] = k;
-      blocks_[at(ends[at(i)]++)] = entry;
+      blocks_[at(ends[at(i)]++)] = transposed(entry);
     }
     if (!exceeds(pivots[at(k)], least))
       throw Error(ErrorCode::numerics, "The matrix of a linear system is not positive definite.");
@@ -215,11 +215,11 @@ std::vector<Pair<Scalar>> PairLdl::solve(const std::vector<Pair<Scalar>>& right)
   for (int i = 0; i < size; ++i) y[at(places_[at(i)])] = right[at(i)];
   for (int k = 0; k < size; ++k) {
     const Pair<Scalar> yk = y[at(k)];
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) y[at(rows_[at(e)])] -= product(blocks_[at(e)], yk);
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) y[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
   }
   for (int k = size - 1; k >= 0; --k) {
     Pair<Scalar> yk = product(inverse_pivots_[at(k)], y[at(k)]);
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) yk -= product(transposed(blocks_[at(e)]), y[at(rows_[at(e)])]);
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) yk -= product(blocks_[at(e)], y[at(rows_[at(e)])]);
     y[at(k)] = yk;
   }
   std::vector<Pair<Scalar>> x(right.size());
@@ -264,7 +264,7 @@ SparseVector PairLdl::half_solve(const SparseVector& a, double floor) {
     if (std::abs(first) > floor) result.push_back({2 * k, first});
     if (std::abs(second) > floor) result.push_back({2 * k + 1, second});
     if (std::abs(first) <= floor && std::abs(second) <= floor) continue;
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) work_[at(rows_[at(e)])] -= product(blocks_[at(e)], yk);
+    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) work_[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
   }
   return result;
 }

@@ -88,7 +88,7 @@ class PairLdl {
   std::vector<int> places_;  // of each node in the order of elimination
   std::vector<int> starts_;  // L by columns, its unit diagonal left out
   std::vector<int> rows_;    // ascending in each column
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;  // of L, transposed
   std::vector<Block> inverse_pivots_;
   std::vector<RealPair> work_;  // zero between calls
   std::vector<char> marked_;    // zero between calls

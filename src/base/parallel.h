@@ -1,0 +1,47 @@
+// What:   loops whose turns do not depend on each other, on several threads.
+// Source: -
+// Differs: -
+// Cost:   that of the loop, and of starting the threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace inkgrid {
+
+// How many threads are meant: 0 stands for as many as the machine has.
+inline int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Calls work(first, last) for the ranges of at most `grain` numbers that make up 0 .. count - 1, on the calling thread and
+// others. Each range must write only what is its own; then the result is the same for any number of threads.  An exception ends
+// the loop and reaches the caller.
+template <class Work>
+void for_ranges(int threads, int count, int grain, Work work) {
+  std::atomic<int> next = 0;
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto take_ranges = [&] {
+    try {
+      for (int first; (first = next.fetch_add(grain)) < count;) work(first, std::min(count, first + grain));
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      if (!error) error = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    const int ranges = (count + grain - 1) / grain;
+    while (static_cast<int>(helpers.size()) + 1 < std::min(thread_count(threads), ranges)) helpers.emplace_back(take_ranges);
+    take_ranges();
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace inkgrid
