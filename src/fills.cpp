@@ -8,21 +8,20 @@
 #include "fill_outlines.h"
 #include "ink.h"
 #include "pen_strokes.h"
+#include "specks.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kWider = 2.5;              // inscribed circle of a fill over the strokes' width
-constexpr double kWiderUneven = 3.2;        // where the ink is of uneven darkness, as overdrawn strokes are
-constexpr double kWiderThanDots = 3;        // where the piece is round and on its own
-constexpr double kWiderThanStar = 1.3;      // over the circle in the middle of as many strokes that cross
-constexpr double kUneven = 0.05;            // standard deviation of the darkness inside
-constexpr double kRound = 1.3;              // area of a round piece over that of its inscribed circle, at most
-constexpr double kBulge = 1.5;              // depth of a stroke that may be part of a fill, over that of the pen
-constexpr std::size_t kLargestSpeck = 100;  // px^2, of paper that shows through a fill
-constexpr float kSpeckDepth = 3;            // times its width, how deep the ink around it must be
-constexpr double kSmallest = 3;             // px, radius of the inscribed circle
-constexpr double kOpening = 2.2;            // radius of the disc that fits into a fill but not into its strokes, over theirs
+constexpr double kWider = 2.5;          // inscribed circle of a fill over the strokes' width
+constexpr double kWiderUneven = 3.2;    // where the ink is of uneven darkness, as overdrawn strokes are
+constexpr double kWiderThanDots = 3;    // where the piece is round and on its own
+constexpr double kWiderThanStar = 1.3;  // over the circle in the middle of as many strokes that cross
+constexpr double kUneven = 0.05;        // standard deviation of the darkness inside
+constexpr double kRound = 1.3;          // area of a round piece over that of its inscribed circle, at most
+constexpr double kBulge = 1.5;          // depth of a stroke that may be part of a fill, over that of the pen
+constexpr double kSmallest = 3;         // px, radius of the inscribed circle
+constexpr double kOpening = 2.2;        // radius of the disc that fits into a fill but not into its strokes, over theirs
 
 struct Pixel {
   int x, y;
@@ -64,34 +63,6 @@ void flood(Raster<std::uint8_t>& seen, Pixel first, Inside inside, Visit visit) 
   }
 }
 
-// Paper that shows through: small holes in ink that is much deeper than they are wide.
-Raster<std::uint8_t> close_specks(const Raster<std::uint8_t>& ink) {
-  Raster<std::uint8_t> closed = ink, seen(ink.width, ink.height);
-  std::vector<std::vector<Pixel>> specks;
-  for (int y = 0; y < ink.height; ++y)
-    for (int x = 0; x < ink.width; ++x) {
-      if (ink(x, y) || seen(x, y)) continue;
-      std::vector<Pixel> hole;
-      flood(
-          seen, {x, y}, [&](int i, int j) { return !ink(i, j); },
-          [&](Pixel p) {
-            if (hole.size() <= kLargestSpeck) hole.push_back(p);
-          });
-      if (hole.size() > kLargestSpeck) continue;
-      for (const Pixel p : hole) closed(p.x, p.y) = 1;
-      specks.push_back(std::move(hole));
-    }
-  if (specks.empty()) return closed;
-  const Raster<float> depth = depth_of(closed);
-  for (const auto& speck : specks) {
-    const auto deeper = [&](Pixel p, Pixel q) { return depth(p.x, p.y) < depth(q.x, q.y); };
-    const Pixel p = *std::max_element(speck.begin(), speck.end(), deeper);
-    if (depth(p.x, p.y) > kSpeckDepth * std::sqrt(static_cast<float>(speck.size()))) continue;
-    for (const Pixel q : speck) closed(q.x, q.y) = 0;
-  }
-  return closed;
-}
-
 // The area of each connected piece of ink that no stroke explains, at each of its pixels, px^2.
 Raster<int> unexplained_areas(const PenStrokes& strokes, const Raster<float>& cover) {
   Raster<int> areas(cover.width, cover.height);
@@ -110,8 +81,9 @@ Raster<int> unexplained_areas(const PenStrokes& strokes, const Raster<float>& co
 // What is wider than the pen and smaller than the unexplained ink that it adjoins is part of that, not a stroke: a lock of hair,
 // one side of the ring around a highlight.
 void uncover_bulges(const PenStrokes& strokes, Raster<float>& cover) {
-  const Raster<int> areas = unexplained_areas(strokes, cover);
   const float pen = static_cast<float>(kBulge * strokes.width / 2) + 0.5F;
+  if (std::none_of(cover.data.begin(), cover.data.end(), [&](float depth) { return depth > pen; })) return;
+  const Raster<int> areas = unexplained_areas(strokes, cover);
   Raster<std::uint8_t> seen(cover.width, cover.height);
   for (int y = 0; y < cover.height; ++y)
     for (int x = 0; x < cover.width; ++x) {

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
 constexpr std::uint16_t kFar = std::numeric_limits<std::uint16_t>::max();
+const float kNowhere = std::sqrt(std::numeric_limits<float>::max());  // px
 
 std::uint16_t one_more(std::uint16_t d) {
   return d == kFar ? kFar : static_cast<std::uint16_t>(d + 1);
@@ -32,60 +35,67 @@ Raster<std::uint16_t> l1_depth(const Raster<std::uint8_t>& mask) {
   return depth;
 }
 
-// One row or column of the exact Euclidean distance transform: the lower envelope of the parabolas f[q] + (p - q)^2
-// (Felzenszwalb and Huttenlocher 2012).
-struct Envelope {
-  std::vector<int> site;
-  std::vector<double> bound;
-  std::vector<float> value;
+// Rows of the exact Euclidean distance transform: the lower envelope of the parabolas f[q] + (p - q)^2, where f is the square of
+// the distance in the column (Felzenszwalb and Huttenlocher 2012).
+class Envelope {
+ public:
+  explicit Envelope(int width)
+      : width_(width), site_(static_cast<std::size_t>(width)), bound_(static_cast<std::size_t>(width) + 1) {}
 
-  explicit Envelope(int n)
-      : site(static_cast<std::size_t>(n)), bound(static_cast<std::size_t>(n) + 1), value(static_cast<std::size_t>(n)) {}
-
-  void transform(int n) {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    std::size_t k = 0;
-    bool any = false;
-    for (int q = 0; q < n; ++q) {
-      const double f = value[static_cast<std::size_t>(q)];
-      if (!(f < std::numeric_limits<float>::max())) continue;
-      double s = -kInfinite;
-      while (any) {
-        const int v = site[k];
-        s = ((f + double(q) * q) - (double(value[static_cast<std::size_t>(v)]) + double(v) * v)) / (2.0 * (q - v));
-        if (s > bound[k]) break;
-        if (k == 0) {
-          any = false;
-          s = -kInfinite;
-        } else {
-          --k;
-        }
-      }
-      k = any ? k + 1 : 0;
-      any = true;
-      site[k] = q;
-      bound[k] = s;
-      bound[k + 1] = kInfinite;
-    }
-    if (!any) return;
-    const std::vector<float> f = value;
-    std::size_t j = 0;
-    for (int p = 0; p < n; ++p) {
-      while (bound[j + 1] < p) ++j;
-      const double d = p - site[j];
-      value[static_cast<std::size_t>(p)] = static_cast<float>(d * d + double(f[static_cast<std::size_t>(site[j])]));
+  // Between pixels of distance 0, nothing beyond them counts.
+  void transform(const std::uint16_t* columns, float* distances) {
+    for (int first = 0; first < width_; ++first) {
+      if (columns[first] == 0) continue;
+      const int end = static_cast<int>(std::find(columns + first, columns + width_, 0) - columns);
+      transform(columns, std::max(0, first - 1), std::min(end, width_ - 1), distances);
+      first = end;
     }
   }
+
+ private:
+  static double square(std::uint16_t d) { return static_cast<double>(static_cast<float>(d) * static_cast<float>(d)); }
+
+  void transform(const std::uint16_t* columns, int first, int last, float* distances) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    int top = -1;
+    for (int q = first; q <= last; ++q) {
+      if (columns[q] == kFar) continue;
+      const double f = square(columns[q]) + double(q) * q;
+      double s = -kInfinite;
+      while (top >= 0) {
+        const int v = at(site_, top);
+        s = (f - (square(columns[v]) + double(v) * v)) / (2.0 * (q - v));
+        if (s > at(bound_, top)) break;
+        s = -kInfinite;
+        --top;
+      }
+      at(site_, ++top) = q;
+      at(bound_, top) = s;
+      at(bound_, top + 1) = kInfinite;
+    }
+    for (int p = first, k = 0; p <= last; ++p) {
+      while (top >= 0 && at(bound_, k + 1) < p) ++k;
+      const double d = p - at(site_, k);
+      distances[p] = top < 0 ? kNowhere : std::sqrt(static_cast<float>(d * d + square(columns[at(site_, k)])));
+    }
+  }
+
+  int width_;
+  std::vector<int> site_;      // of each parabola of the envelope
+  std::vector<double> bound_;  // where it begins
 };
 
 // Per pixel: the distance to the next pixel of the mask in its column, at most `most`.
 Raster<std::uint16_t> column_distance(const Raster<std::uint8_t>& mask, std::uint16_t most) {
   Raster<std::uint16_t> distance(mask.width, mask.height);
-  const auto next = [&](std::uint16_t d) { return std::min<std::uint16_t>(most, one_more(d)); };
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) distance(x, y) = mask(x, y) ? 0 : y == 0 ? most : next(distance(x, y - 1));
-  for (int y = mask.height - 2; y >= 0; --y)
-    for (int x = 0; x < mask.width; ++x) distance(x, y) = std::min(distance(x, y), next(distance(x, y + 1)));
+  std::transform(mask.data.begin(), mask.data.end(), distance.data.begin(), [&](auto m) { return m ? std::uint16_t{0} : most; });
+  const auto lower_by = [&](int y, int from) {
+    std::uint16_t* const row = &distance(0, y);
+    const std::uint16_t* const other = &distance(0, from);
+    for (int x = 0; x < mask.width; ++x) row[x] = static_cast<std::uint16_t>(std::min<int>(row[x], other[x] + 1));
+  };
+  for (int y = 1; y < mask.height; ++y) lower_by(y, y - 1);
+  for (int y = mask.height - 2; y >= 0; --y) lower_by(y, y + 1);
   return distance;
 }
 
@@ -173,22 +183,11 @@ Raster<float> normalized_centre_distance(const Raster<std::uint16_t>& depth) {
 }  // namespace
 
 Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
-  const int w = mask.width, h = mask.height;
-  Raster<float> gap(w, h);
-  Envelope column(h);
-  for (int x = 0; x < w; ++x) {
-    for (int y = 0; y < h; ++y) column.value[static_cast<std::size_t>(y)] = mask(x, y) ? 0.0f : std::numeric_limits<float>::max();
-    column.transform(h);
-    for (int y = 0; y < h; ++y) gap(x, y) = column.value[static_cast<std::size_t>(y)];
-  }
-  Envelope row(w);
-  for (int y = 0; y < h; ++y) {
-    float* const begin = &gap.data[gap.index(0, y)];
-    std::copy(begin, begin + w, row.value.begin());
-    row.transform(w);
-    std::transform(row.value.begin(), row.value.end(), begin, [](float d2) { return std::sqrt(d2); });
-  }
-  return gap;
+  const Raster<std::uint16_t> columns = column_distance(mask, kFar);
+  Raster<float> distance(mask.width, mask.height);
+  Envelope envelope(mask.width);
+  for (int y = 0; y < mask.height; ++y) envelope.transform(&columns.data[columns.index(0, y)], &distance(0, y));
+  return distance;
 }
 
 Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
