@@ -22,17 +22,23 @@ void check_size(const ImageFile& file) {
                                      std::to_string(header.height) + " pixels, which is too much for the studio");
 }
 
-}  // namespace
-
 void stop_job(Document& document) {
   const std::lock_guard lock(document.mutex);
   if (document.job) document.job->stop.request_stop();
 }
 
-void take_over(Document& document, const std::shared_ptr<EventStream>& job) {
+}  // namespace
+
+void take_over(Document& document, const std::string& revision, const std::shared_ptr<EventStream>& job) {
   const std::lock_guard lock(document.mutex);
   if (document.job) document.job->stop.request_stop();
+  document.revision = revision;
   document.job = job;
+}
+
+void stop_job(Document& document, const std::string& revision) {
+  const std::lock_guard lock(document.mutex);
+  if (document.job && document.revision == revision) document.job->stop.request_stop();
 }
 
 std::shared_ptr<const Solved> last_solved(Document& document) {

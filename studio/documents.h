@@ -32,13 +32,15 @@ struct Document {
 
   std::mutex mutex;  // of what follows
   std::shared_ptr<const Solved> solved;
-  std::shared_ptr<EventStream> job;  // the last one asked for
+  std::string revision;              // that the last job is asked for
+  std::shared_ptr<EventStream> job;  // the last one
 };
 
 // Asks the job before it to stop.
-void take_over(Document& document, const std::shared_ptr<EventStream>& job);
+void take_over(Document& document, const std::string& revision, const std::shared_ptr<EventStream>& job);
 
-void stop_job(Document& document);
+// Does nothing where a later job has taken over.
+void stop_job(Document& document, const std::string& revision);
 
 std::shared_ptr<const Solved> last_solved(Document& document);
 

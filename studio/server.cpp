@@ -203,7 +203,9 @@ void Server::Inside::add_documents() {
     response.set_content(reinterpret_cast<const char*>(grey.data()), grey.size(), "application/octet-stream");
   });
   http.Post(place + "/solve", [this](const Request& request, Response& response) { answer_solve(request, response); });
-  http.Delete(place + "/solve", [this](const Request& request, Response&) { stop_job(*document_of(request)); });
+  http.Delete(place + "/solve", [this](const Request& request, Response&) {
+    stop_job(*document_of(request), request.get_param_value("revision"));
+  });
   http.Get(place + "/layers/([a-z]+)", [this](const Request& request, Response& response) { answer_layer(request, response); });
   http.Get(place + "/anchors/([0-9]{1,7})",
            [this](const Request& request, Response& response) { answer_anchors(request, response); });
@@ -227,9 +229,9 @@ void Server::Inside::answer_solve(const Request& request, Response& response) {
   auto document = document_of(request);
   auto state = std::make_shared<const Project>(parse_project(request.body, "the request"));
   auto events = std::make_shared<EventStream>();
-  take_over(*document, events);
-  worker.add(
-      [document, state, events, revision = request.get_param_value("revision")] { solve(*document, *state, revision, *events); });
+  const std::string revision = request.get_param_value("revision");
+  take_over(*document, revision, events);
+  worker.add([document, state, events, revision] { solve(*document, *state, revision, *events); });
   stream_events(events, response);
 }
 

@@ -7,6 +7,7 @@ fail() { say "$0: $*"; exit 1; }
 # The packages of packages.txt that $1 ("run", or "test" for all) needs and that are not installed.
 missing_packages() {
   awk -v who="$1" '$1 !~ /^#/ && NF && ($2 == "run" || who == "test") { print $1 }' packages.txt | while read -r package; do
+    [ "$package" = npm ] && command -v npm >/dev/null && continue  # Node.js from elsewhere brings its own
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || echo "$package"
   done
 }
@@ -30,6 +31,17 @@ install_packages() {
   as_root apt-get -qq update >/dev/null || fail "apt-get update failed; $by_hand"
   # shellcheck disable=SC2086
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null || fail "apt-get install failed; $by_hand"
+}
+
+# What tests/studio drives the browser with, into build/npm, where it isn't there yet.
+install_npm_packages() {
+  local lock=tests/studio/package-lock.json here=build/npm
+  cmp -s "$lock" "$here/installed.json" && return
+  say "Installing the npm packages of tests/studio"
+  mkdir -p "$here"
+  cp tests/studio/package.json "$lock" "$here"
+  npm ci --prefix "$here" --ignore-scripts --no-audit --no-fund --loglevel=error >&2 || fail "npm ci failed for tests/studio"
+  cp "$lock" "$here/installed.json"
 }
 
 # configure TESTS (ON or OFF): build/ stays as it is where nothing changed.

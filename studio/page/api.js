@@ -77,8 +77,8 @@ export class Api {
   file(id) {
     return this.bytes(`/api/documents/${id}/file`);
   }
-  cancel(id) {
-    return this.ask(`/api/documents/${id}/solve`, { method: 'DELETE' });
+  cancel(id, revision) {
+    return this.ask(`/api/documents/${id}/solve?revision=${revision}`, { method: 'DELETE' });
   }
   layer(id, revision, name) {
     return this.bytes(`/api/documents/${id}/layers/${name}?revision=${revision}`);

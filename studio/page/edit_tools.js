@@ -63,6 +63,14 @@ export class EditTools {
     await this.joinEnds(from, end);
   }
 
+  // An end of the curve with the end that is nearest to it.
+  async joinNearest(curve) {
+    const pair = this.studio.drawn.nearestEnds(curve);
+    this.reset();
+    if (pair) await this.joinEnds(pair.from, pair.to);
+    else this.studio.say('There is no other end to join with.');
+  }
+
   // Each { curve, end: 'start' | 'end' }.
   async joinEnds(from, to) {
     if (from.curve.id === to.curve.id && from.end === to.end) return this.studio.say('These are one end: a join needs two.');

@@ -7,14 +7,14 @@ const kMoves = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
 export const kHeld = { a: 'input', s: 'curves', d: 'both' };
 
 export class Keyboard {
-  // `studio` holds what the keys do; `stage` is the element where arrows and Space act.
-  constructor(studio, stage) {
-    this.studio = studio;
+  // `actions` is what the keys do; `stage` is the element where arrows and Space act.
+  constructor(actions, stage) {
+    this.actions = actions;
     this.stage = stage;
     this.letters = true;
     document.addEventListener('keydown', (event) => this.pressed(event));
     document.addEventListener('keyup', (event) => this.lifted(event));
-    window.addEventListener('blur', () => studio.hold(null));
+    window.addEventListener('blur', () => actions.hold(null));
   }
 
   pressed(event) {
@@ -24,40 +24,40 @@ export class Keyboard {
   }
 
   lifted(event) {
-    if (kHeld[event.key.toLowerCase()]) this.studio.hold(null);
+    if (kHeld[event.key.toLowerCase()]) this.actions.hold(null);
   }
 
   command(event) {
-    const { studio } = this, key = event.key.toLowerCase();
+    const { actions } = this, key = event.key.toLowerCase();
     if (isTyping(event.target) && key !== 's' && key !== 'o') return false;
-    const act = { z: () => (event.shiftKey ? studio.redo() : studio.undo()), y: () => studio.redo(), s: () => studio.save(), o: () => studio.pickFile(), e: () => studio.openExport() }[key];
+    const act = { z: () => (event.shiftKey ? actions.redo() : actions.undo()), y: () => actions.redo(), s: () => actions.save(), o: () => actions.pickFile(), e: () => actions.openExport() }[key];
     act?.();
     return Boolean(act);
   }
 
   onStage(event) {
-    if (event.key === 'Escape') return this.studio.escape(), true;
+    if (event.key === 'Escape') return this.actions.escape(), true;
     if (document.activeElement !== this.stage || event.altKey) return false;
     const move = kMoves[event.key];
-    if (move) return this.studio.arrow(move, event.shiftKey), true;
-    if (event.key === ' ') return this.studio.space(), true;
-    if (event.key === 'Enter') return this.studio.enter(), true;
-    if (event.key === 'Delete' || event.key === 'Backspace') return this.studio.deleteSelected(), true;
+    if (move) return this.actions.arrow(move, event.shiftKey), true;
+    if (event.key === ' ') return this.actions.space(), true;
+    if (event.key === 'Enter') return this.actions.enter(), true;
+    if (event.key === 'Delete' || event.key === 'Backspace') return this.actions.deleteSelected(), true;
     return false;
   }
 
   letter(event) {
     const onStage = document.activeElement === this.stage || document.activeElement === document.body;
     if (!this.letters || event.altKey || (!onStage && event.target instanceof HTMLInputElement && event.target.type === 'range')) return false;
-    const { studio } = this, key = event.key.toLowerCase();
-    if (kHeld[key]) return studio.hold(kHeld[key]), true;
+    const { actions } = this, key = event.key.toLowerCase();
+    if (kHeld[key]) return actions.hold(kHeld[key]), true;
     const tool = kTools.find((t) => t.letter === key);
-    if (tool) return studio.chooseTool(tool.key), true;
-    if (/^[1-9]$/.test(key)) return studio.toggleLayer(Number(key) - 1), true;
+    if (tool) return actions.chooseTool(tool.key), true;
+    if (/^[1-9]$/.test(key)) return actions.toggleLayer(Number(key) - 1), true;
     const act = {
-      '+': () => studio.zoomStep(1), '=': () => studio.zoomStep(1), '-': () => studio.zoomStep(-1), 0: () => studio.fit(),
-      '[': () => studio.brushStep(-1), ']': () => studio.brushStep(1), c: () => studio.toggleSplit(),
-      n: () => studio.nextCurve(event.shiftKey ? -1 : 1), '?': () => studio.openHelp(),
+      '+': () => actions.zoomStep(1), '=': () => actions.zoomStep(1), '-': () => actions.zoomStep(-1), 0: () => actions.fit(),
+      '[': () => actions.brushStep(-1), ']': () => actions.brushStep(1), c: () => actions.toggleSplit(),
+      n: () => actions.nextCurve(event.shiftKey ? -1 : 1), '?': () => actions.openHelp(),
     }[event.key === '?' ? '?' : key];
     act?.();
     return Boolean(act);

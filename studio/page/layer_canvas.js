@@ -28,21 +28,27 @@ function compiled(gl, { vertex, fragment }) {
 export class LayerCanvas {
   constructor(canvas, redraw) {
     this.canvas = canvas;
-    this.recordings = new Map(); // name -> the bytes, kept for a context that was lost
+    this.redraw = redraw;
+    this.recordings = new Map(); // name -> its batches, kept for a context that was lost
     this.uploads = new Map();
-    this.gl = canvas.getContext('webgl2', { alpha: true, antialias: true, premultipliedAlpha: true });
-    if (!this.gl) return;
-    this.prepare();
-    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
-    canvas.addEventListener('webglcontextrestored', () => {
-      this.prepare();
-      this.uploads.clear();
-      redraw();
-    });
+    this.gl = null;
   }
 
   get works() {
-    return this.gl !== null;
+    return typeof WebGL2RenderingContext === 'function';
+  }
+
+  // A context only once there is something to draw.
+  begin() {
+    this.gl = this.canvas.getContext('webgl2', { alpha: true, antialias: true, premultipliedAlpha: true });
+    if (!this.gl) return;
+    this.prepare();
+    this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.prepare();
+      this.uploads.clear();
+      this.redraw();
+    });
   }
 
   prepare() {
@@ -53,10 +59,6 @@ export class LayerCanvas {
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([0, -1, 1, -1, 0, 1, 1, 1]), gl.STATIC_DRAW);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  }
-
-  has(name) {
-    return this.recordings.has(name);
   }
 
   set(name, buffer) {
@@ -129,13 +131,16 @@ export class LayerCanvas {
   }
 
   draw(names, view) {
+    const drawn = names.filter((name) => this.recordings.has(name));
+    this.canvas.hidden = drawn.length === 0;
+    if (drawn.length === 0) return;
+    if (!this.gl) this.begin();
     const { gl } = this;
     if (!gl || gl.isContextLost()) return;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    for (const name of names) {
-      if (!this.recordings.has(name)) continue;
+    for (const name of drawn) {
       if (!this.uploads.has(name)) this.uploads.set(name, this.recordings.get(name).map((batch) => this.uploaded(batch)));
       for (const upload of this.uploads.get(name)) this.drawUpload(upload, view);
     }

@@ -38,7 +38,8 @@ export class Solver {
   }
 
   stopRunning() {
-    if (this.running) this.api.cancel(this.id).catch(() => {});
+    const { id, revision } = this.running ?? {};
+    if (id) this.api.cancel(id, revision).catch(() => {});
   }
 
   run(state) {

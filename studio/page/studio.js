@@ -9,6 +9,7 @@ import { EditTools } from './edit_tools.js';
 import { ExportDialog } from './export_dialog.js';
 import { helpDialog } from './help_dialog.js';
 import { History } from './history.js';
+import { KeyActions } from './key_actions.js';
 import { Keyboard } from './keyboard.js';
 import { LayersPanel } from './layers_panel.js';
 import { Opening } from './opening.js';
@@ -25,8 +26,6 @@ import { Tools } from './tools.js';
 import { View } from './view.js';
 
 const kHoverReach = 10; // px of the screen
-const kKeyStep = 8;
-const kLongKeyStep = 48;
 
 export class Studio {
   constructor(api, about) {
@@ -42,11 +41,11 @@ export class Studio {
     this.scene = this.renderer.scene;
     this.status = new StatusBar({ progress: byId('progress'), stage: byId('progress-stage'), bar: byId('progress-bar'), said: byId('said'), zoom: byId('zoom') });
     this.solver = new Solver(api, {
-      started: () => this.status.started(),
+      started: () => this.solving(true),
       progress: (stage, fraction) => this.status.show(stage, fraction),
       solved: (result, milliseconds) => this.solved(result, milliseconds),
       failed: (problem) => this.solveFailed(problem),
-      idle: () => this.status.ended(),
+      idle: () => this.solving(false),
     });
     this.painting = new Painting({ changed: () => this.strokeChanged(), rested: (stroke) => this.solver.request(Project.withScribble(this.project, stroke)) });
     this.edits = new EditTools(this);
@@ -69,7 +68,7 @@ export class Studio {
       this.renderer.invalidate();
     });
     this.exportDialog = new ExportDialog(byId('export-dialog'), this.about, (format, options) => this.exportAs(format, options));
-    this.keyboard = new Keyboard(this, this.stage);
+    this.keyboard = new Keyboard(new KeyActions(this), this.stage);
     helpDialog(byId('help-dialog'), this.keyboard);
     this.ways = new Opening(this, this.about);
   }
@@ -186,12 +185,18 @@ export class Studio {
     this.solver.request(this.project);
   }
 
+  // While a slider is dragged its steps are one for undo, and the threshold shows its ink.
   setOption(name, value, { dragging = false } = {}) {
     if (!this.history) return;
     this.dragging = dragging;
-    if (name === 'threshold') this.scene.paper.showInk(typeof value === 'number' ? value : null);
-    this.commit(Project.withOption(this.project, name, value), dragging ? name : null);
-    if (!dragging) this.history.closeGroup();
+    if (value !== this.project.options[name]) {
+      if (name === 'threshold' && dragging) this.scene.paper.showInk(value);
+      this.commit(Project.withOption(this.project, name, value), name);
+    }
+    if (dragging) return;
+    this.history.closeGroup();
+    if (!this.solver.busy) this.scene.paper.showInk(null);
+    this.renderer.invalidate();
   }
 
   clearScribbles() {
@@ -205,6 +210,12 @@ export class Studio {
 
   // ---- results
 
+  solving(busy) {
+    this.stage.setAttribute('aria-busy', String(busy));
+    if (busy) this.status.started();
+    else this.status.ended();
+  }
+
   solved(result, milliseconds) {
     const before = this.drawn;
     this.result = result;
@@ -216,7 +227,6 @@ export class Studio {
     this.curvesPanel.show(this.drawn, this.scene.selected);
     this.tellResult(result, milliseconds);
     this.layersChanged();
-    this.stage.dispatchEvent(new CustomEvent('solved', { detail: { revision: result.revision, milliseconds } }));
   }
 
   tellResult({ report, curves }, milliseconds) {
@@ -353,86 +363,9 @@ export class Studio {
     return this.api.anchors(this.opening.id, this.result.revision, curve.index);
   }
 
-  // ---- what keys do
-
-  chooseTool(key) {
-    this.tools.choose(key);
-  }
   toggleLayer(index) {
     const layer = this.layers.toggle(index);
     if (layer) this.say(`${layer.title} ${this.layers.shown.has(layer.key) ? 'shown' : 'hidden'}. ${layer.help}`);
-  }
-  hold(way) {
-    this.compare.hold(way);
-  }
-  toggleSplit() {
-    this.compare.toggleSplit();
-  }
-  zoomStep(direction) {
-    this.view.zoom(direction > 0 ? 1.25 : 0.8);
-  }
-  fit() {
-    this.view.fit();
-  }
-  brushStep(direction) {
-    this.tools.setRadius(Math.round(this.tools.radius * (direction > 0 ? 1.2 : 1 / 1.2) + 0.5 * direction));
-  }
-
-  arrow([x, y], far) {
-    const step = far ? kLongKeyStep : kKeyStep;
-    if (!this.tools.current.brush) return this.view.pan(-3 * step * x, -3 * step * y);
-    this.cursor ??= { x: this.view.width / 2, y: this.view.height / 2 };
-    this.cursor = { x: this.cursor.x + step * x, y: this.cursor.y + step * y };
-    if (this.painting.stroke) this.painting.add(this.view.toDrawing(this.cursor.x, this.cursor.y));
-    this.showBrush();
-  }
-
-  space() {
-    if (!this.history || !this.tools.current.brush) return;
-    this.cursor ??= { x: this.view.width / 2, y: this.view.height / 2 };
-    if (this.painting.stroke) {
-      this.endStroke();
-      return this.say('Brush lifted.');
-    }
-    this.painting.begin(this.tools.current.key, this.tools.radius, this.view.toDrawing(this.cursor.x, this.cursor.y));
-    this.say('Brush down: move it with the arrow keys, lift it with Space.');
-    this.showBrush();
-  }
-
-  enter() {
-    const { selected } = this.scene, tool = this.tools.current.key;
-    if (!selected || !this.drawn) return;
-    const act = { delete: () => this.edits.remove(selected), split: () => this.edits.click('split', selected.middle), join: () => this.joinSelected(selected) }[tool];
-    act?.().catch((problem) => this.failed(problem));
-  }
-
-  // The end of the selected curve that another curve's end is nearest to.
-  async joinSelected(selected) {
-    const pair = this.drawn.nearestEnds(selected);
-    if (!pair) return this.say('No other end is there to join with.');
-    this.edits.reset();
-    await this.edits.joinEnds(pair.from, pair.to);
-  }
-
-  deleteSelected() {
-    if (this.scene.selected) this.edits.remove(this.scene.selected).catch((problem) => this.failed(problem));
-  }
-
-  nextCurve(step) {
-    const curves = this.drawn?.curves ?? [];
-    if (curves.length === 0) return;
-    const now = this.scene.selected ? this.scene.selected.index : step > 0 ? -1 : 0;
-    this.select(curves[(now + step + curves.length) % curves.length], true);
-  }
-
-  escape() {
-    if (this.painting.stroke) this.painting.end();
-    else if (this.solver.busy) this.solver.cancel();
-    else {
-      this.edits.reset();
-      this.scene.target = null;
-      this.select(null);
-    }
   }
 
   // ---- files

@@ -13,6 +13,7 @@ export class View {
     this.width = 1; // of the screen
     this.height = 1;
     this.drawing = { width: 0, height: 0 };
+    this.fitted = true; // as long as nobody moved it
   }
 
   resize(width, height) {
@@ -20,11 +21,13 @@ export class View {
     this.y += (height - this.height) / 2;
     this.width = width;
     this.height = height;
+    if (this.fitted) this.fit();
     this.changed();
   }
 
   fit(drawing = this.drawing) {
     this.drawing = drawing;
+    this.fitted = true;
     if (!drawing.width) return;
     const scale = Math.min((this.width - 2 * kMargin) / drawing.width, (this.height - 2 * kMargin) / drawing.height);
     this.scale = Math.min(kMost, Math.max(kLeast, scale));
@@ -35,6 +38,7 @@ export class View {
 
   // About a point of the screen that stays where it is.
   zoom(factor, x = this.width / 2, y = this.height / 2) {
+    this.fitted = false;
     const scale = Math.min(kMost, Math.max(kLeast, this.scale * factor));
     this.x = x - ((x - this.x) * scale) / this.scale;
     this.y = y - ((y - this.y) * scale) / this.scale;
@@ -43,6 +47,7 @@ export class View {
   }
 
   pan(dx, dy) {
+    this.fitted = false;
     const keep = 40; // of the drawing stays in sight
     this.x = Math.min(this.width - keep, Math.max(keep - this.scale * this.drawing.width, this.x + dx));
     this.y = Math.min(this.height - keep, Math.max(keep - this.scale * this.drawing.height, this.y + dy));

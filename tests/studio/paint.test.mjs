@@ -1,0 +1,238 @@
+// Scribbles, sliders, undo, layers, and all of it without a mouse.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { cross } from './drawings.mjs';
+import { eventually, launch, openTab, patience, startStudio } from './support.mjs';
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+async function withCross(t) {
+  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  await tab.opened('cross.png', cross());
+  return tab;
+}
+
+const pathsOf = (svg) => String(svg).match(/ d="[^"]*"/g).map((data) => data.match(/-?[\d.]+/g).map(Number));
+const same = (a, b) => a.length === b.length && a.every((x, i) => Math.abs(x - b[i]) < 0.02);
+const ids = (tab) => tab.page.$$eval('#curve-list button', (buttons) => buttons.map((button) => button.dataset.id));
+
+test('each scribble changes what it touches and nothing else, and undo brings all back', { timeout: 2 * patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180);
+  const first = (await tab.export('svg')).bytes, firstIds = await ids(tab);
+  for (const tool of ['less', 'more']) {
+    await tab.page.click(`#tools button:has(.glyph-${tool})`);
+    await tab.drag([[140, 106], [180, 126], [220, 146]].map(place));
+    await tab.settled();
+    const [scribble] = JSON.parse(await tab.project()).scribbles;
+    assert.equal(scribble.kind, tool);
+    assert.ok(Math.hypot(scribble.points[0][0] - 140, scribble.points[0][1] - 106) < 1);
+    const before = pathsOf(first), now = pathsOf((await tab.export('svg')).bytes);
+    const still = now.filter((path) => before.some((old) => same(path, old)));
+    assert.ok(still.length >= 4, 'the arms of the cross stay');
+    assert.ok(still.length < now.length, 'what was painted over does not');
+    await tab.page.click('#undo');
+    await tab.settled();
+    assert.deepEqual((await tab.export('svg')).bytes, first);
+    assert.deepEqual(await ids(tab), firstIds);
+  }
+  assert.deepEqual(tab.faults, []);
+});
+
+test('the curves answer while the pen rests, before it is lifted', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180), before = await ids(tab);
+  await tab.page.click('#tools button:has(.glyph-more)');
+  await tab.page.mouse.move(...place([140, 106]));
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(...place([200, 136]), { steps: 4 });
+  await tab.page.waitForFunction((old) => [...document.querySelectorAll('#curve-list button')].some((button) => !old.includes(button.dataset.id)), before);
+  assert.ok(await tab.page.isDisabled('#undo'), 'nothing is kept yet');
+  await tab.page.mouse.up();
+  await tab.settled();
+  assert.ok(await tab.page.isEnabled('#undo'));
+});
+
+test('the eraser takes scribbles away, and the brush grows and shrinks', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180), first = (await tab.export('svg')).bytes;
+  const stroke = [[140, 106], [220, 146]].map(place);
+  await tab.page.keyboard.press('Escape');
+  await tab.page.focus('#stage');
+  await tab.page.keyboard.press('w');
+  await tab.drag(stroke);
+  await tab.page.keyboard.press('e');
+  for (let k = 0; k < 4; ++k) await tab.page.keyboard.press(']');
+  await tab.drag(stroke);
+  await tab.settled();
+  const { scribbles } = JSON.parse(await tab.project());
+  assert.deepEqual(scribbles.map((scribble) => scribble.kind), ['more', 'erase']);
+  assert.ok(scribbles[1].radius > 1.5 * scribbles[0].radius);
+  assert.deepEqual((await tab.export('svg')).bytes, first);
+});
+
+test('every slider changes the curves, says what runs, and is reset', { timeout: 2 * patience }, async (t) => {
+  const tab = await withCross(t), first = (await tab.export('svg')).bytes, plain = await tab.command();
+  for (const option of ['threshold', 'reach', 'spacing', 'tolerance']) {
+    await tab.slide(option, option === 'threshold' ? 900 : 800);
+    await tab.settled();
+    assert.match(await tab.said(), option === 'tolerance' ? /; ran fit\./ : /; ran .+ to fit\./, option);
+    assert.match(await tab.command(), new RegExp(`--${option} [\\d.]+ -o`));
+    await tab.page.click(`[data-option="${option}"] .reset`);
+    await tab.settled();
+    assert.equal(await tab.command(), plain);
+  }
+  await tab.page.selectOption('#option-preset', 'rough');
+  await tab.settled();
+  assert.match(await tab.command(), /--preset rough/);
+  await tab.page.click('#reset-all');
+  await tab.settled();
+  assert.deepEqual((await tab.export('svg')).bytes, first);
+  assert.deepEqual(tab.faults, []);
+});
+
+test('a number is typed, a wrong one is refused', { timeout: patience }, async (t) => {
+  const tab = await withCross(t);
+  await tab.page.fill('#option-spacing', '1.5');
+  await tab.page.press('#option-spacing', 'Enter');
+  await tab.settled();
+  assert.match(await tab.command(), /--spacing 1\.5/);
+  await tab.page.fill('#option-spacing', '-3');
+  await tab.page.press('#option-spacing', 'Enter');
+  await tab.waitToSay(/Spacing must be a number from 0\.1 to 100/);
+  assert.match(await tab.command(), /--spacing 1\.5/);
+});
+
+test('a slider that is dragged is one step to undo, and the threshold shows its ink meanwhile', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), plain = await tab.command();
+  const ink = () => tab.page.evaluate(() => {
+    const canvas = document.getElementById('paper');
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) count += data[i] === 0x2b && data[i + 1] === 0x5f && data[i + 2] === 0xa8;
+    return count;
+  });
+  assert.equal(await ink(), 0);
+  await tab.page.locator('#option-threshold-slider').evaluate((slider) => {
+    for (const value of [300, 400, 500, 600]) {
+      slider.value = String(value);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+  });
+  await eventually(async () => (await ink()) > 1000, 'the ink is shown');
+  await tab.page.locator('#option-threshold-slider').evaluate((slider) => slider.dispatchEvent(new Event('change', { bubbles: true })));
+  await tab.settled();
+  await eventually(async () => (await ink()) === 0, 'the ink is hidden again');
+  await tab.page.click('#undo');
+  await tab.settled();
+  assert.equal(await tab.command(), plain);
+  assert.ok(await tab.page.isDisabled('#undo'));
+});
+
+test('every layer draws something', { timeout: 2 * patience }, async (t) => {
+  const tab = await withCross(t);
+  const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
+  await tab.page.evaluate(() => document.activeElement.blur());
+  for (const layer of ['input', 'ink', 'band', 'field', 'labels', 'grid', 'graph', 'widths', 'curves', 'handles']) {
+    const before = await picture();
+    await tab.page.click(`#layer-${layer}`);
+    await eventually(async () => (await picture()) !== before, layer);
+    assert.ok((await tab.page.textContent(`#layer-${layer}-help`)).length > 20);
+    await tab.page.click(`#layer-${layer}`);
+    await eventually(async () => (await picture()) === before, `without ${layer}`);
+  }
+  assert.deepEqual(tab.faults, []);
+});
+
+test('held keys compare, and a curve tells its measures', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180);
+  const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
+  await tab.page.mouse.move(...place([60, 60]));
+  await tab.page.waitForSelector('#card:not([hidden])');
+  assert.match(await tab.page.textContent('#card'), /px long, [\d.]+ px wide, \d+ segments?, \d+ % on ink/);
+  await tab.page.mouse.move(...place([200, 20]));
+  await tab.page.waitForSelector('#card', { state: 'hidden' });
+  await tab.page.click('#layer-handles');
+  await tab.page.evaluate(() => document.activeElement.blur()); // a ring of focus would come with the first key
+  const usual = await picture();
+  for (const key of ['a', 's', 'd']) {
+    await tab.page.keyboard.down(key);
+    await eventually(async () => (await picture()) !== usual, `holding ${key}`);
+    await tab.page.keyboard.up(key);
+    await eventually(async () => (await picture()) === usual, `letting go of ${key}`);
+  }
+  await tab.page.keyboard.press('c');
+  assert.ok(await tab.page.isVisible('#split-at'));
+});
+
+test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), zoom = () => tab.page.textContent('#zoom'), fitted = await zoom();
+  const place = await tab.placer(240, 180);
+  await tab.page.mouse.move(...place([60, 60]));
+  await tab.page.mouse.wheel(0, -300);
+  await eventually(async () => parseInt(await zoom()) > 1.5 * parseInt(fitted), 'zoomed in');
+  assert.ok(await tab.page.isVisible('#card') || (await tab.page.mouse.move(...place([60.2, 60])), await tab.page.isVisible('#card')), 'what was under the pointer still is');
+  await tab.page.focus('#stage');
+  await tab.page.keyboard.press('0');
+  assert.equal(await zoom(), fitted);
+  await tab.page.keyboard.press('+');
+  assert.notEqual(await zoom(), fitted);
+});
+
+test('touch paints with one finger and zooms with two', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
+  const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await tab.page.click('#tools button:has(.glyph-more)');
+  await touch('touchStart', place([140, 106]));
+  await touch('touchMove', place([180, 126]));
+  await touch('touchMove', place([220, 146]));
+  await touch('touchEnd');
+  await tab.settled();
+  assert.equal(JSON.parse(await tab.project()).scribbles.length, 1);
+  const zoom = parseInt(await tab.page.textContent('#zoom'));
+  await touch('touchStart', place([100, 90]), place([140, 90]));
+  await touch('touchMove', place([60, 90]), place([180, 90]));
+  await touch('touchEnd');
+  await eventually(async () => parseInt(await tab.page.textContent('#zoom')) > 2 * zoom, 'zoomed in');
+  assert.equal(JSON.parse(await tab.project()).scribbles.length, 1, 'two fingers paint nothing');
+});
+
+test('everything is done with the keyboard alone', { timeout: 2 * patience }, async (t) => {
+  const tab = await openTab(t, browser, (await startStudio(t)).address), { keyboard } = tab.page;
+  const focusOn = async (selector) => {
+    for (let k = 0; k < 80; ++k) {
+      if (await tab.page.evaluate((s) => document.activeElement?.matches(s), selector)) return;
+      await keyboard.press('Tab');
+    }
+    assert.fail(`Tab does not reach ${selector}`);
+  };
+  await focusOn('#samples button');
+  await keyboard.press('Enter');
+  await tab.waitToSay(/curves in/);
+  const count = await tab.count();
+  assert.ok(await tab.page.evaluate(() => document.activeElement.id === 'stage'));
+  await keyboard.press('w');
+  for (const key of [' ', 'Shift+ArrowRight', 'Shift+ArrowRight', 'Shift+ArrowDown', ' ']) await keyboard.press(key === ' ' ? 'Space' : key);
+  await tab.settled();
+  assert.equal(JSON.parse((await tab.download(() => keyboard.press('Control+s'))).bytes).scribbles.length, 1);
+  await keyboard.press('Control+z');
+  await tab.settled();
+  assert.equal(await tab.count(), count);
+  await keyboard.press('n');
+  assert.match(await tab.said(), /^Curve 1 of/);
+  await keyboard.press('Delete');
+  await tab.page.waitForFunction((n) => Number(document.getElementById('curve-count').textContent) === n - 1, count);
+  await keyboard.press('Control+Shift+z');
+  await keyboard.press('Control+z');
+  await tab.settled();
+  assert.equal(await tab.count(), count);
+  await focusOn('#option-tolerance-slider');
+  for (let k = 0; k < 5; ++k) await keyboard.press('PageUp');
+  await tab.settled();
+  assert.match(await tab.command(), /--tolerance/);
+  await keyboard.press('Control+e');
+  await focusOn('[data-format="svg"]');
+  const { name, bytes } = await tab.download(() => keyboard.press('Enter'));
+  assert.match(name, /\.svg$/);
+  assert.match(String(bytes), /<path/);
+  assert.deepEqual(tab.faults, []);
+});

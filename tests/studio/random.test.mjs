@@ -1,0 +1,52 @@
+// After anything a person may do in a row, the curves are those of one fresh run of what they ended with.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { cross } from './drawings.mjs';
+import { curvesOfProject, launch, openTab, patience, startStudio } from './support.mjs';
+
+const kSteps = 200;
+
+// Numbers of a fixed sequence, 0..1.
+function sequence(seed) {
+  return () => {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    return seed / 2 ** 32;
+  };
+}
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+test('200 scribbles, slider moves, undos and cancels', { timeout: 6 * patience }, async (t) => {
+  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  await tab.opened('cross.png', cross());
+  const place = await tab.placer(240, 180), random = sequence(7);
+  const somewhere = () => place([240 * random(), 180 * random()]);
+  const options = ['threshold', 'reach', 'spacing', 'tolerance'];
+  const steps = [
+    async () => {
+      await tab.page.click(`#tools button:has(.glyph-${['less', 'more', 'erase'][Math.floor(3 * random())]})`);
+      await tab.drag([somewhere(), somewhere(), somewhere()]);
+    },
+    () => tab.slide(options[Math.floor(options.length * random())], Math.floor(250 + 500 * random())),
+    () => tab.page.keyboard.press('Control+z'),
+    () => tab.page.keyboard.press('Control+Shift+z'),
+    () => tab.page.keyboard.press('Escape'),
+    () => tab.page.click(`[data-option="${options[Math.floor(options.length * random())]}"] .reset:enabled`, { timeout: 50 }).catch(() => {}),
+    () => tab.settled(),
+  ];
+  const chances = [0.3, 0.55, 0.68, 0.76, 0.86, 0.93, 1];
+  for (let k = 0; k < kSteps; ++k) {
+    const chance = random();
+    await steps[chances.findIndex((limit) => chance < limit)]();
+  }
+  // A cancel may have left the curves behind what is asked for: one more change and back asks again.
+  await tab.slide('tolerance', 500);
+  await tab.settled();
+  await tab.page.click('#undo');
+  await tab.settled();
+  const project = await tab.project();
+  assert.deepEqual(await curvesOfProject(t, project), (await tab.export('svg')).bytes);
+  assert.deepEqual(tab.faults, []);
+});
