@@ -40,7 +40,8 @@ install_npm_packages() {
   say "Installing the npm packages of tests/studio"
   mkdir -p "$here"
   cp tests/studio/package.json "$lock" "$here"
-  npm ci --prefix "$here" --ignore-scripts --no-audit --no-fund --loglevel=error >&2 || fail "npm ci failed for tests/studio"
+  npm ci --prefix "$here" --ignore-scripts --no-audit --no-fund --loglevel=error >&2 ||
+    fail "npm could not fetch what tests/studio needs ($(npm config get registry) must be reachable), so the studio can't be tested"
   cp "$lock" "$here/installed.json"
 }
 

@@ -9,8 +9,10 @@ themeSwitch(byId('theme'));
 const api = new Api(location.hash.slice(1));
 try {
   const studio = new Studio(api, await api.about());
+  document.body.removeAttribute('aria-busy');
   await studio.begin();
 } catch (problem) {
+  document.body.removeAttribute('aria-busy');
   const place = byId('welcome');
   place.replaceChildren(Object.assign(document.createElement('h2'), { id: 'welcome-title', textContent: 'The studio can’t begin' }),
     Object.assign(document.createElement('p'), { className: 'error', textContent: `${problem.message}.` }));

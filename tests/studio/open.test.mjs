@@ -14,7 +14,7 @@ test('a file is shown with its curves', { timeout: patience }, async (t) => {
   await tab.opened('cross.png', cross());
   assert.equal(await tab.count(), 6);
   assert.match(await tab.page.textContent('#title'), /cross\.png · 240 × 180/);
-  assert.match(await tab.said(), /^6 curves in .*ran ink to fit\./);
+  assert.match(await tab.said(), /^6 curves in .*ran threshold to fit\./);
   assert.deepEqual(tab.faults, []);
 });
 
