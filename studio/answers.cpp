@@ -110,6 +110,10 @@ std::string point_json(Vec2 p) {
   return text + "]";
 }
 
+std::string fill_json(const Fill& fill) {
+  return list(fill.outlines, points_json);
+}
+
 std::string one_line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -138,7 +142,7 @@ std::string solved_json(const Solved& solved) {
   const Json report = Json::parse(report_json(solved.options, solved.report));
   return "{\"revision\":" + one_line(solved.revision) + ",\"command\":" + one_line(command_line_text(solved.options)) +
          ",\"report\":" + one_line(report) + ",\"junctions\":" + list(solved.drawing.junctions, point_json) +
-         ",\"curves\":" + list(solved.drawing.curves, curve_json) + "}";
+         ",\"curves\":" + list(solved.drawing.curves, curve_json) + ",\"fills\":" + list(solved.drawing.fills, fill_json) + "}";
 }
 
 std::string anchors_json(const Drawing& drawing, int curve) {

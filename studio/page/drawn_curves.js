@@ -111,7 +111,7 @@ export class DrawnCurves {
     const known = new Map((before?.curves ?? []).map((curve) => [curve.id, curve]));
     this.result = result;
     this.junctions = result.junctions;
-    this.fills = (result.fills ?? []).map(pathOfFill);
+    this.fills = result.fills.map(pathOfFill);
     this.curves = result.curves.map((told, index) => {
       const old = known.get(told.id);
       return old && sameShape(old, told) ? old.take(told, index) : new DrawnCurve(told, index);
