@@ -27,6 +27,6 @@ export function helpDialog(dialog, keyboard) {
       element('h2', { id: 'help-title' }, 'Tools and keys'),
       element('table', {}, ...rows.map(([key, what]) => element('tr', {}, element('th', { scope: 'row' }, key), element('td', {}, what)))),
       element('p', {}, 'A wheel zooms; drag with Look, with two fingers or with the right button to move. Everything stays on this machine.'),
-      element('p', {}, letters, element('label', { for: 'letters' }, ' Single letters are keys')),
+      element('p', { className: 'switch' }, letters, element('label', { for: 'letters' }, ' Single letters are keys')),
       element('div', { className: 'end' }, element('button', {}, 'Close'))));
 }

@@ -21,7 +21,7 @@ export class KeyActions {
     this.studio.compare.toggleSplit();
   }
   zoomStep(direction) {
-    this.studio.view.zoom(direction > 0 ? 1.25 : 0.8);
+    this.studio.view.zoomStep(direction);
   }
   fit() {
     this.studio.view.fit();

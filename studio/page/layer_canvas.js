@@ -130,7 +130,8 @@ export class LayerCanvas {
     return tiles;
   }
 
-  draw(names, view) {
+  // `marks` tells how large the marks of a layer are.
+  draw(names, view, marks) {
     const drawn = names.filter((name) => this.recordings.has(name));
     this.canvas.hidden = drawn.length === 0;
     if (drawn.length === 0) return;
@@ -142,17 +143,18 @@ export class LayerCanvas {
     gl.clear(gl.COLOR_BUFFER_BIT);
     for (const name of drawn) {
       if (!this.uploads.has(name)) this.uploads.set(name, this.recordings.get(name).map((batch) => this.uploaded(batch)));
-      for (const upload of this.uploads.get(name)) this.drawUpload(upload, view);
+      for (const upload of this.uploads.get(name)) this.drawUpload(upload, view, marks(name));
     }
   }
 
-  drawUpload({ batch, vertexArray, tiles }, view) {
+  drawUpload({ batch, vertexArray, tiles }, view, marks) {
     const { gl } = this;
     const program = this.programs[batch.kind];
     gl.useProgram(program);
     gl.bindVertexArray(vertexArray);
     gl.uniform3f(gl.getUniformLocation(program, 'u_view'), view.scale, view.x, view.y);
     gl.uniform2f(gl.getUniformLocation(program, 'u_screen'), view.width, view.height);
+    gl.uniform1f(gl.getUniformLocation(program, 'u_marks'), marks);
     if (batch.kind === 'triangles') return gl.drawArrays(gl.TRIANGLES, 0, 3 * batch.count);
     if (batch.kind !== 'pixels') return gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, batch.count);
     gl.uniform4fv(gl.getUniformLocation(program, 'u_colour'), batch.colour);

@@ -7,7 +7,8 @@ export class LayersPanel {
   constructor(place, { recordedWork, changed }) {
     this.shown = new Set(kLayers.filter((layer) => layer.on).map((layer) => layer.key));
     this.boxes = new Map();
-    place.replaceChildren(...kLayers.map((layer, i) => this.row(layer, i, recordedWork, changed)));
+    this.told = element('p', { className: 'told', 'aria-hidden': 'true' }, 'Each layer shows one step from pixels to curves.');
+    place.replaceChildren(element('div', { className: 'chips' }, ...kLayers.map((layer, i) => this.row(layer, i, recordedWork, changed))), this.told);
   }
 
   row(layer, i, recordedWork, changed) {
@@ -16,12 +17,13 @@ export class LayersPanel {
     box.onchange = () => {
       if (box.checked) this.shown.add(layer.key);
       else this.shown.delete(layer.key);
+      this.told.textContent = layer.help;
       changed();
     };
     this.boxes.set(layer.key, box);
     const number = i < 9 ? element('kbd', { 'aria-hidden': 'true' }, String(i + 1)) : null;
     return element('div', { className: 'layer' }, box, element('label', { for: id }, layer.title), number,
-      element('p', { id: `${id}-help`, className: 'help' }, layer.recorded && !recordedWork ? 'Needs WebGL 2, which this browser does not have.' : layer.help));
+      element('p', { id: `${id}-help`, className: 'help unseen' }, layer.recorded && !recordedWork ? 'Needs WebGL 2, which this browser does not have.' : layer.help));
   }
 
   toggle(index) {

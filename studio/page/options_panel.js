@@ -17,17 +17,22 @@ class Row {
     this.option = option;
     this.tell = tell;
     this.id = `option-${option.name}`;
-    this.reset = element('button', { type: 'button', className: 'reset', title: `Back to ${option.default}`, 'aria-label': `Reset ${titleOf(option.name)}`,
+    this.reset = element('button', { type: 'button', className: 'reset', 'data-hint': `Back to ${option.default}.`, 'aria-label': `Reset ${titleOf(option.name)}`,
       onclick: () => tell.set(option.name, undefined) }, '↺');
-    this.note = element('p', { id: `${this.id}-help`, className: 'help' }, this.helpText());
-    this.element = element('div', { className: 'option' }, ...this.parts(), this.note);
+    this.note = element('p', { id: `${this.id}-help`, className: 'help unseen' }, this.helpText());
+    this.element = element('div', { className: this.shape }, ...this.parts(), this.note);
     this.element.dataset.option = option.name;
   }
 
   helpText() {
     const { help, section, stage } = this.option;
     const text = help.charAt(0).toUpperCase() + help.slice(1);
-    return `${text}.${stage ? ` Runs again from: ${stage}.` : ''}${section ? ` Paper, section ${section}.` : ''}`;
+    return `${text}.${stage ? ` A change runs ${stage} and what follows again.` : ''}${section ? ` Paper, section ${section}.` : ''}`;
+  }
+
+  // The first stage that a change runs again.
+  stageTag() {
+    return this.option.stage ? element('span', { className: 'stage-tag', 'aria-hidden': 'true' }, `↻ ${this.option.stage}`) : null;
   }
 
   label(control) {
@@ -36,13 +41,17 @@ class Row {
 }
 
 class ChoiceRow extends Row {
+  get shape() {
+    return 'option choice';
+  }
+
   parts() {
     const { option, tell } = this;
     this.select = element('select', { id: this.id, 'aria-describedby': `${this.id}-help` },
       ...option.choices.map((choice) => element('option', { value: choice }, choice)));
     this.select.onchange = () => tell.set(option.name, this.select.value === option.default ? undefined : this.select.value);
     this.chosen = element('output', { className: 'unit' });
-    return [this.label(this.select), this.reset, element('div', { className: 'controls' }, this.select, this.chosen)];
+    return [this.label(this.select), this.reset, this.select, this.stageTag(), this.chosen];
   }
 
   show(value, found) {
@@ -53,6 +62,10 @@ class ChoiceRow extends Row {
 }
 
 class NumberRow extends Row {
+  get shape() {
+    return 'option number';
+  }
+
   parts() {
     const { option } = this;
     this.scale = scaleOf(option);
@@ -62,7 +75,7 @@ class NumberRow extends Row {
     this.slider.onchange = () => this.slid(true);
     this.number.onchange = () => this.typed();
     this.state = element('span', { className: 'unit' }, option.unit);
-    return [this.label(this.slider), this.reset, element('div', { className: 'controls' }, this.slider, this.number, this.state)];
+    return [this.label(this.slider), this.reset, this.number, this.state, this.slider, this.stageTag()];
   }
 
   slid(ended) {

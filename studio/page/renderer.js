@@ -3,6 +3,7 @@
 import { LayerCanvas } from './layer_canvas.js';
 import { drawBrush, drawOverlay } from './overlay.js';
 
+const kRoomOfNode = 14; // px of the screen between two nodes
 const kDimmed = 0.38; // of the drawing's darkness, under curves and layers
 
 const kOnlyInput = new Set(['input']);
@@ -53,11 +54,17 @@ export class Renderer {
     }
     const { paper } = this.scene;
     const layered = paper && this.split === null && this.compare === null;
-    this.layers.draw(layered ? this.scene.recorded : [], this.view);
+    this.layers.draw(layered ? this.scene.recorded : [], this.view, (name) => this.marks(name));
     if (!paper) return;
     if (this.split === null) this.drawSide(this.shown);
     else this.drawSplit();
     drawBrush(this.over, this.scene.brush);
+  }
+
+  // Nodes of a grid that is seen from far stay apart.
+  marks(name) {
+    const { cell } = this.scene; // px of the drawing
+    return name === 'grid' && cell ? Math.min(1, Math.max(0.3, (cell * this.view.scale) / kRoomOfNode)) : 1;
   }
 
   drawSplit() {

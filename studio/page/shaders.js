@@ -1,9 +1,11 @@
-// One program a kind of mark.  u_view: scale and offset from the drawing to CSS pixels; u_screen: CSS pixels of the canvas.
+// One program a kind of mark.  u_view: scale and offset from the drawing to CSS pixels; u_screen: CSS pixels of the canvas; u_marks:
+// how large marks are that do not grow with the drawing, 1 as they were recorded.
 
 const kHead = `#version 300 es
 precision highp float;
 uniform vec3 u_view;
 uniform vec2 u_screen;
+uniform float u_marks;
 vec2 seen(vec2 p) { return p * u_view.x + u_view.yz; }
 vec4 placed(vec2 s) { return vec4(2.0 * s.x / u_screen.x - 1.0, 1.0 - 2.0 * s.y / u_screen.y, 0.0, 1.0); }
 `;
@@ -38,9 +40,9 @@ void main() {
   vec2 p = seen(a_from), q = seen(a_to), along = q - p;
   float length_ = length(along);
   along = length_ > 0.0 ? along / length_ : vec2(1.0, 0.0);
-  float width = max(a_width, 1.0);
+  float thick = a_width * u_marks, width = max(thick, 1.0);
   vec2 s = mix(p, q, a_corner.x) + 0.5 * width * (sign(a_corner.x - 0.5) * 0.5 * along + a_corner.y * vec2(-along.y, along.x));
-  v_colour = vec4(a_colour.rgb, a_colour.a * min(1.0, a_width));
+  v_colour = vec4(a_colour.rgb, a_colour.a * min(1.0, thick));
   gl_Position = placed(s);
 }
 `,
@@ -60,7 +62,7 @@ flat out vec2 v_radii;
 flat out int v_flags;
 void main() {
   v_flags = int(a_flags);
-  v_radii = a_radii * ((v_flags & 2) != 0 ? u_view.x : 1.0);
+  v_radii = a_radii * ((v_flags & 2) != 0 ? u_view.x : u_marks);
   v_at = (vec2(a_corner.x * 2.0 - 1.0, a_corner.y)) * (v_radii.x + 2.0);
   v_colour = a_colour;
   gl_Position = placed(seen(a_at) + v_at);

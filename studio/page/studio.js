@@ -8,6 +8,7 @@ import { DrawnCurves } from './drawn_curves.js';
 import { EditTools } from './edit_tools.js';
 import { ExportDialog } from './export_dialog.js';
 import { helpDialog } from './help_dialog.js';
+import { showHints } from './hints.js';
 import { History } from './history.js';
 import { KeyActions } from './key_actions.js';
 import { Keyboard } from './keyboard.js';
@@ -71,6 +72,7 @@ export class Studio {
     this.keyboard = new Keyboard(new KeyActions(this), this.stage);
     helpDialog(byId('help-dialog'), this.keyboard);
     this.ways = new Opening(this, this.about);
+    showHints(byId('hint'));
   }
 
   wire() {
@@ -85,7 +87,7 @@ export class Studio {
       click: (at) => this.clicked(this.view.toDrawing(at.x, at.y)),
       hover: (at) => this.pointedAt(at),
     });
-    const actions = { undo: () => this.undo(), redo: () => this.redo(), save: () => this.save(), 'gone-save': () => this.save(), 'gone-retry': () => this.retry(), export: () => this.openExport(), help: () => this.openHelp(), cancel: () => this.solver.cancel(), 'clear-scribbles': () => this.clearScribbles() };
+    const actions = { undo: () => this.undo(), redo: () => this.redo(), save: () => this.save(), 'gone-save': () => this.save(), 'gone-retry': () => this.retry(), export: () => this.openExport(), help: () => this.openHelp(), cancel: () => this.solver.cancel(), 'clear-scribbles': () => this.clearScribbles(), 'zoom-in': () => this.view.zoomStep(1), 'zoom-out': () => this.view.zoomStep(-1), 'zoom-fit': () => this.view.fit() };
     for (const [id, act] of Object.entries(actions)) byId(id).onclick = act;
     new ResizeObserver(([entry]) => this.renderer.resize(entry.contentRect.width, entry.contentRect.height)).observe(this.stage);
   }
@@ -140,6 +142,7 @@ export class Studio {
     this.edits.reset();
     this.solver.use(id);
     for (const place of ['welcome', 'gone']) byId(place).hidden = true;
+    delete document.body.dataset.empty;
     for (const button of ['save', 'export']) byId(button).disabled = false;
     byId('title').textContent = `${project.drawing.name.split('/').pop()} · ${width} × ${height}`;
     this.view.fit({ width, height });
@@ -220,6 +223,7 @@ export class Studio {
     const before = this.drawn;
     this.result = result;
     this.scene.drawn = new DrawnCurves(result, before);
+    this.scene.cell = result.report.spacing * result.report.stroke_width;
     this.scene.selected = this.scene.selected && this.drawn.find(this.scene.selected.id);
     this.scene.hovered = null;
     if (!this.dragging) this.scene.paper.showInk(null);
@@ -229,11 +233,12 @@ export class Studio {
     this.layersChanged();
   }
 
-  tellResult({ report, curves }, milliseconds) {
+  tellResult({ report, curves, fills }, milliseconds) {
     const ran = Object.keys(report.seconds);
     const stages = ran.length === 0 ? '' : ran.length === 1 ? `; ran ${ran[0]}` : `; ran ${ran[0]} to ${ran.at(-1)}`;
     const warnings = report.warnings.map((warning) => ` ${warning}.`).join('');
-    this.say(`${curves.length} curves in ${milliseconds < 1000 ? `${Math.round(milliseconds)} ms` : `${(milliseconds / 1000).toFixed(1)} s`}${stages}.${warnings}`);
+    const areas = fills.length === 0 ? '' : fills.length === 1 ? ' and a filled area' : ` and ${fills.length} filled areas`;
+    this.say(`${curves.length} curves${areas} in ${milliseconds < 1000 ? `${Math.round(milliseconds)} ms` : `${(milliseconds / 1000).toFixed(1)} s`}${stages}.${warnings}`);
   }
 
   solveFailed(problem) {
@@ -337,6 +342,7 @@ export class Studio {
     const card = byId('card');
     card.hidden = !curve || !at;
     if (curve && at) {
+      card.style.setProperty('--colour', curve.colour);
       card.textContent = measureText(curve, this.result.report.pixels_per_mm);
       card.style.left = `${Math.min(at.x + 16, this.view.width - 230)}px`;
       card.style.top = `${Math.min(at.y + 18, this.view.height - 70)}px`;

@@ -1,6 +1,7 @@
 // The tools, their keys, and the bar that shows them.
 
 import { element } from './dom.js';
+import { icon } from './icons.js';
 import { kScribbleColours } from './scribbles.js';
 
 export const kTools = [
@@ -21,12 +22,12 @@ export class Tools {
     this.changed = changed;
     this.current = kTools[0];
     this.radius = 20; // px of the drawing
-    this.buttons = kTools.map((tool) => element('button', { type: 'button', title: `${tool.help} (${tool.letter.toUpperCase()})`, 'aria-keyshortcuts': tool.letter, onclick: () => this.choose(tool.key) },
-      element('span', { className: `glyph glyph-${tool.key}`, 'aria-hidden': 'true' }), tool.title, element('kbd', { 'aria-hidden': 'true' }, tool.letter.toUpperCase())));
+    this.buttons = kTools.map((tool) => element('button', { type: 'button', 'data-hint': `${tool.help} (${tool.letter.toUpperCase()})`, 'aria-keyshortcuts': tool.letter, onclick: () => this.choose(tool.key) },
+      element('span', { className: `glyph glyph-${tool.key}`, 'aria-hidden': 'true' }, icon(tool.key)), tool.title, element('kbd', { 'aria-hidden': 'true' }, tool.letter.toUpperCase())));
     this.size = element('input', { type: 'range', id: 'brush-size', min: kLeastRadius, max: 150, 'aria-label': 'Brush radius, pixels' });
     this.size.oninput = () => this.setRadius(this.size.valueAsNumber);
-    this.clear = element('button', { type: 'button', id: 'clear-scribbles', title: 'Take all scribbles away' }, 'Clear');
-    place.replaceChildren(...this.buttons, element('div', { className: 'size' }, element('label', { for: 'brush-size' }, 'Size'), this.size, element('kbd', { 'aria-hidden': 'true' }, '[ ]'), this.clear));
+    this.clear = element('button', { type: 'button', id: 'clear-scribbles', 'data-hint': 'Take all scribbles away.' }, 'Clear');
+    place.replaceChildren(...this.buttons, element('div', { className: 'size', 'data-hint': 'How wide the brush is ([ and ]).' }, element('label', { for: 'brush-size' }, 'Size'), this.size, element('kbd', { 'aria-hidden': 'true' }, '[ ]'), this.clear));
     this.show();
   }
 

@@ -2,7 +2,8 @@
 
 const kLeast = 0.02;
 const kMost = 64;
-const kMargin = 24;
+const kStep = 1.25;
+const kMargin = { side: 24, top: 20, bottom: 68 }; // below is the dock
 
 export class View {
   constructor(changed) {
@@ -29,10 +30,11 @@ export class View {
     this.drawing = drawing;
     this.fitted = true;
     if (!drawing.width) return;
-    const scale = Math.min((this.width - 2 * kMargin) / drawing.width, (this.height - 2 * kMargin) / drawing.height);
+    const { side, top, bottom } = kMargin;
+    const scale = Math.min((this.width - 2 * side) / drawing.width, (this.height - top - bottom) / drawing.height);
     this.scale = Math.min(kMost, Math.max(kLeast, scale));
     this.x = (this.width - this.scale * drawing.width) / 2;
-    this.y = (this.height - this.scale * drawing.height) / 2;
+    this.y = (this.height - bottom + top - this.scale * drawing.height) / 2;
     this.changed();
   }
 
@@ -44,6 +46,10 @@ export class View {
     this.y = y - ((y - this.y) * scale) / this.scale;
     this.scale = scale;
     this.changed();
+  }
+
+  zoomStep(direction) {
+    this.zoom(kStep ** direction);
   }
 
   pan(dx, dy) {

@@ -102,8 +102,8 @@ export class Tab {
   // Of the drawing to the page, for a drawing of this size that fits into the stage.
   async placer(width, height) {
     const box = await this.page.locator('#stage').boundingBox();
-    const scale = Math.min(64, (box.width - 48) / width, (box.height - 48) / height);
-    const left = box.x + (box.width - scale * width) / 2, top = box.y + (box.height - scale * height) / 2;
+    const scale = Math.min(64, (box.width - 48) / width, (box.height - 88) / height);
+    const left = box.x + (box.width - scale * width) / 2, top = box.y + (box.height - 48 - scale * height) / 2;
     return ([x, y]) => [left + scale * x, top + scale * y];
   }
 
