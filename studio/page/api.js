@@ -68,9 +68,6 @@ export class Api {
   document(id) {
     return this.json(`/api/documents/${id}`);
   }
-  close(id) {
-    return this.ask(`/api/documents/${id}`, { method: 'DELETE' });
-  }
   pixels(id) {
     return this.bytes(`/api/documents/${id}/pixels`);
   }

@@ -101,7 +101,7 @@ export class KeyActions {
   // The innermost thing that is going on.
   escape() {
     const { studio } = this;
-    if (studio.painting.stroke) return studio.painting.end();
+    if (studio.painting.stroke) return studio.abandonStroke();
     if (studio.solver.busy) return studio.solver.cancel();
     studio.edits.reset();
     studio.scene.target = null;

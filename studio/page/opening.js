@@ -71,8 +71,4 @@ export class Opening {
       return null;
     }
   }
-
-  static forget() {
-    sessionStorage.removeItem(kRemembered);
-  }
 }

@@ -20,19 +20,25 @@ function tileOf(grey, width, height, left, top, paint) {
 const opaque = (grey) => (0xff000000 | (grey << 16) | (grey << 8) | grey) >>> 0;
 
 export class Paper {
-  constructor(grey, width, height) {
-    this.grey = grey;
+  // White until its pixels are there.
+  constructor(width, height) {
+    this.grey = null;
     this.width = width;
     this.height = height;
     this.preview = null;
     this.tiles = [];
+  }
+
+  take(grey) {
+    const { width, height } = this;
+    this.grey = grey;
     for (let top = 0; top < height; top += kTile)
       for (let left = 0; left < width; left += kTile) this.tiles.push(tileOf(grey, width, height, left, top, opaque));
   }
 
   // Pixels darker than the threshold, as the method takes them for ink; null ends it.
   showInk(threshold) {
-    this.preview = threshold === null ? null : this.inkOf(threshold);
+    this.preview = threshold === null || !this.grey ? null : this.inkOf(threshold);
   }
 
   inkOf(threshold) {

@@ -17,8 +17,9 @@ export const withEdit = (project, edit) => ({ ...project, edits: [...project.edi
 
 export const isPlain = (project) => project.scribbles.length === 0 && project.edits.length === 0 && !project.mask;
 
+// Asks the same of the drawing: a stroke that rested before it was lifted is asked for twice.
 export const sameProject = (a, b) =>
-  a.options === b.options && a.scribbles === b.scribbles && a.edits === b.edits && a.mask === b.mask;
+  a.options === b.options && a.edits === b.edits && a.mask === b.mask && a.scribbles.length === b.scribbles.length && a.scribbles.every((scribble, i) => scribble === b.scribbles[i]);
 
 const base64 = (blob) =>
   new Promise((resolve, reject) => {

@@ -1,6 +1,8 @@
 // Asks for curves, one state at a time: while one is on its way only the newest of the others is remembered.
 
-const kPatience = 400; // ms; a run that takes longer is stopped for a newer state
+import { sameProject } from './project.js';
+
+const kPatience = 400; // ms; a run for a slider that is dragged may take as long and still be shown
 
 export class Solver {
   // tell: { started(), progress(stage, fraction), solved(result, milliseconds), failed(problem), idle() }
@@ -10,6 +12,7 @@ export class Solver {
     this.id = null;
     this.running = null;
     this.waiting = null;
+    this.answered = null; // the state that the curves are those of
     this.count = 0;
     this.session = Math.random().toString(36).slice(2, 10);
   }
@@ -23,13 +26,20 @@ export class Solver {
     this.id = id;
     this.waiting = null;
     this.running = null;
+    this.answered = null;
   }
 
-  request(state) {
-    if (!this.running) return this.run(state);
-    this.waiting = state;
-    if (performance.now() - this.running.since > kPatience) this.stopRunning();
+  // What is on its way is stopped for a newer state, unless it is to be seen on the way of a slider.
+  request(state, { dragging = false } = {}) {
+    if (!this.running) return this.answered && sameProject(state, this.answered) ? undefined : this.run(state);
+    if (!this.running.stopped && sameProject(state, this.running.state)) this.waiting = null;
+    else this.wait(state, dragging);
     return this.running.done;
+  }
+
+  wait(state, dragging) {
+    this.waiting = state;
+    if (!dragging || performance.now() - this.running.since > kPatience) this.stopRunning();
   }
 
   cancel() {
@@ -38,25 +48,27 @@ export class Solver {
   }
 
   stopRunning() {
-    const { id, revision } = this.running ?? {};
-    if (id) this.api.cancel(id, revision).catch(() => {});
+    const { running } = this;
+    if (!running || running.stopped) return;
+    running.stopped = true;
+    this.api.cancel(running.id, running.revision).catch(() => {});
   }
 
   run(state) {
-    const run = { id: this.id, since: performance.now(), revision: `${this.session}-${++this.count}` };
+    const run = { id: this.id, state, stopped: false, since: performance.now(), revision: `${this.session}-${++this.count}` };
     this.running = run;
     this.tell.started();
-    run.done = this.follow(run, state);
+    run.done = this.follow(run);
     return run.done;
   }
 
-  async follow(run, state) {
+  async follow(run) {
     const current = () => this.running === run;
     try {
-      const result = await this.api.solve(run.id, run.revision, state, (stage, fraction) => {
+      const result = await this.api.solve(run.id, run.revision, run.state, (stage, fraction) => {
         if (current()) this.tell.progress(stage, fraction, performance.now() - run.since);
       });
-      if (current()) this.tell.solved(result, performance.now() - run.since);
+      if (current()) this.answer(run, result);
     } catch (problem) {
       if (current() && !(problem.kind === 'cancelled' && this.waiting)) this.tell.failed(problem);
     }
@@ -66,6 +78,11 @@ export class Solver {
     this.waiting = null;
     if (next) await this.run(next);
     else this.tell.idle();
+  }
+
+  answer(run, result) {
+    this.answered = run.state;
+    this.tell.solved(result, performance.now() - run.since);
   }
 
   // When nothing is on its way any more.

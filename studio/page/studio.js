@@ -35,6 +35,7 @@ export class Studio {
     this.opening = null; // id, size and file of the drawing that is open
     this.history = null;
     this.result = null;
+    this.dragging = false; // a slider
     this.cursor = null; // of the pointer or the keys, on the screen
     this.stage = byId('stage');
     this.view = new View(() => this.viewChanged());
@@ -83,7 +84,7 @@ export class Studio {
       begin: (at) => this.painting.begin(this.tools.current.key, this.tools.radius, this.view.toDrawing(at.x, at.y)),
       paint: (at) => this.painting.add(this.view.toDrawing(at.x, at.y)),
       end: () => this.endStroke(),
-      abandon: () => this.painting.end(),
+      abandon: () => this.abandonStroke(),
       click: (at) => this.clicked(this.view.toDrawing(at.x, at.y)),
       hover: (at) => this.pointedAt(at),
     });
@@ -122,9 +123,7 @@ export class Studio {
 
   async opened(ask, quiet = false) {
     try {
-      const told = await ask();
-      const grey = new Uint8Array(await this.api.pixels(told.id));
-      await this.show(told, grey);
+      await this.show(await ask());
       return true;
     } catch (problem) {
       if (!quiet) this.failed(problem);
@@ -132,12 +131,12 @@ export class Studio {
     }
   }
 
-  async show({ id, width, height, project }, grey) {
+  async show({ id, width, height, project }) {
     this.opening = { id, width, height, file: this.api.file(id).then((bytes) => new Blob([bytes])) };
     this.opening.file.catch(() => {});
     this.history = new History(project);
     this.result = null;
-    Object.assign(this.scene, { paper: new Paper(grey, width, height), scribbles: new ScribblePicture(width, height), drawn: null, selected: null, hovered: null, recorded: [] });
+    Object.assign(this.scene, { paper: new Paper(width, height), scribbles: new ScribblePicture(width, height), drawn: null, selected: null, hovered: null, recorded: [] });
     this.renderer.layers.dropAll();
     this.edits.reset();
     this.solver.use(id);
@@ -148,7 +147,12 @@ export class Studio {
     this.view.fit({ width, height });
     this.stage.focus({ preventScroll: true });
     this.stateChanged();
-    await this.solver.request(project);
+    await Promise.all([this.solver.request(project), this.showPixels(id, this.scene.paper)]);
+  }
+
+  async showPixels(id, paper) {
+    paper.take(new Uint8Array(await this.api.pixels(id)));
+    this.renderer.invalidate();
   }
 
   pickFile() {
@@ -160,7 +164,7 @@ export class Studio {
   commit(project, group = null) {
     this.history.push(project, group);
     this.stateChanged();
-    return this.solver.request(project);
+    return this.solver.request(project, { dragging: this.dragging });
   }
 
   stateChanged() {
@@ -325,6 +329,11 @@ export class Studio {
   endStroke() {
     const stroke = this.painting.end();
     if (stroke) this.commit(Project.withScribble(this.project, stroke));
+  }
+
+  // The curves may have answered the stroke while it rested.
+  abandonStroke() {
+    if (this.painting.end()) this.solver.request(this.project);
   }
 
   pointedAt(at) {

@@ -53,6 +53,21 @@ test('the curves answer while the pen rests, before it is lifted', { timeout: pa
   assert.ok(await tab.page.isEnabled('#undo'));
 });
 
+test('a stroke that is given up leaves the curves as they were', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180), before = await ids(tab);
+  await tab.page.click('#tools button:has(.glyph-more)');
+  await tab.page.mouse.move(...place([140, 106]));
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(...place([200, 136]), { steps: 4 });
+  await eventually(async () => (await ids(tab)).some((id) => !before.includes(id)), 'the curves answer');
+  await tab.page.keyboard.press('Escape');
+  await eventually(async () => (await ids(tab)).join() === before.join(), 'the curves of before');
+  await tab.page.mouse.up();
+  await tab.settled();
+  assert.ok(await tab.page.isDisabled('#undo'));
+  assert.deepEqual(await ids(tab), before);
+});
+
 test('the eraser takes scribbles away, and the brush grows and shrinks', { timeout: patience }, async (t) => {
   const tab = await withCross(t), place = await tab.placer(240, 180), first = (await tab.export('svg')).bytes;
   const stroke = [[140, 106], [220, 146]].map(place);

@@ -18,16 +18,21 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-test('200 scribbles, slider moves, undos and cancels', { timeout: 6 * patience }, async (t) => {
+test('200 scribbles, hand edits, slider moves, undos and cancels', { timeout: 6 * patience }, async (t) => {
   const tab = await openTab(t, browser, (await startStudio(t)).address);
   await tab.opened('cross.png', cross());
   const place = await tab.placer(240, 180), random = sequence(7);
   const somewhere = () => place([240 * random(), 180 * random()]);
+  const onCurve = [[40, 60], [150, 60], [90, 40], [90, 110], [160, 110], [200, 142]];
   const options = ['threshold', 'reach', 'spacing', 'tolerance'];
   const steps = [
     async () => {
       await tab.page.click(`#tools button:has(.glyph-${['less', 'more', 'erase'][Math.floor(3 * random())]})`);
       await tab.drag([somewhere(), somewhere(), somewhere()]);
+    },
+    async () => {
+      await tab.page.click(`#tools button:has(.glyph-${random() < 0.5 ? 'delete' : 'split'})`);
+      await tab.page.mouse.click(...place(onCurve[Math.floor(onCurve.length * random())]));
     },
     () => tab.slide(options[Math.floor(options.length * random())], Math.floor(250 + 500 * random())),
     () => tab.page.keyboard.press('Control+z'),
@@ -36,7 +41,7 @@ test('200 scribbles, slider moves, undos and cancels', { timeout: 6 * patience }
     () => tab.page.click(`[data-option="${options[Math.floor(options.length * random())]}"] .reset:enabled`, { timeout: 50 }).catch(() => {}),
     () => tab.settled(),
   ];
-  const chances = [0.3, 0.55, 0.68, 0.76, 0.86, 0.93, 1];
+  const chances = [0.3, 0.38, 0.58, 0.71, 0.77, 0.86, 0.93, 1];
   for (let k = 0; k < kSteps; ++k) {
     const chance = random();
     await steps[chances.findIndex((limit) => chance < limit)]();
