@@ -193,6 +193,19 @@ test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: p
   assert.notEqual(await zoom(), fitted);
 });
 
+test('a pen paints as a mouse does', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
+  const pen = (type, [x, y]) => client.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1, clickCount: 1, pointerType: 'pen' });
+  await tab.page.click('#tools button:has(.glyph-less)');
+  await pen('mousePressed', place([140, 106]));
+  await pen('mouseMoved', place([220, 146]));
+  await pen('mouseReleased', place([220, 146]));
+  await tab.settled();
+  const [{ kind, points }] = JSON.parse(await tab.project()).scribbles;
+  assert.equal(kind, 'less');
+  assert.ok(Math.hypot(points.at(-1)[0] - 220, points.at(-1)[1] - 146) < 2);
+});
+
 test('touch paints with one finger and zooms with two', { timeout: patience }, async (t) => {
   const tab = await withCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
   const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
