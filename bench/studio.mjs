@@ -1,12 +1,12 @@
 #!/usr/bin/env node
 // How long a person waits in the studio: for the first curves of a drawing, and from pen-up to new curves.
 //   bench/studio.mjs PROGRAM NPM_DIRECTORY DRAWING...     (build/inkgrid build/npm fish.png)
-// Times are those of the page, in ms, the drawing of the curves included; of them, "studio" is what the stages of the method did
-// not take.
+// Times are those of the page, in ms, the drawing of the curves included.  For a curve that is deleted by hand no stage of the
+// method runs: that time is what the studio itself takes.
 import { readFile } from 'node:fs/promises';
 import { basename, resolve } from 'node:path';
 
-const kScribbles = 20;
+const kScribbles = 20, kEdits = 10;
 const [program, npm, ...drawings] = process.argv.slice(2);
 if (drawings.length === 0) {
   console.error('usage: bench/studio.mjs PROGRAM NPM_DIRECTORY DRAWING...');
@@ -19,26 +19,10 @@ const { launch, openTab, startStudio } = await import('../tests/studio/support.m
 const endings = [];
 const run = { after: (end) => endings.push(end) };
 
-// What the stages that ran took, ms: from the report with the curves.
-function methodTimes(page) {
-  const times = new Map(); // revision -> ms
-  page.on('response', async (response) => {
-    if (!response.url().includes('/solve?') || response.request().method() !== 'POST') return;
-    const done = /^event: done\ndata: (.*)$/m.exec(await response.text().catch(() => ''));
-    if (!done) return;
-    const { revision, report } = JSON.parse(done[1]);
-    times.set(revision, 1000 * Object.values(report.seconds).reduce((sum, seconds) => sum + seconds, 0));
-  });
-  return async () => {
-    await page.waitForTimeout(100);
-    return [...times.values()].at(-1);
-  };
-}
-
 // In the page: the time from the last event of a kind to the picture of the curves that answer it.
 function watch() {
   let since = 0;
-  for (const kind of ['pointerup', 'change']) document.addEventListener(kind, () => ((since = performance.now()), (window.waited = 0)), true);
+  for (const kind of ['pointerup', 'keydown', 'change']) document.addEventListener(kind, () => ((since = performance.now()), (window.waited = 0)), true);
   new MutationObserver(() => {
     if (document.getElementById('stage').getAttribute('aria-busy') === 'false')
       requestAnimationFrame(() => setTimeout(() => (window.waited = performance.now() - since)));
@@ -69,26 +53,31 @@ function inkPlace(grey, width, random) {
 async function measure(browser, path) {
   const studio = await startStudio(run), tab = await openTab(run, browser, studio.address), random = sequence(1);
   await tab.page.evaluate(watch);
-  const method = methodTimes(tab.page);
   const bytes = await readFile(path);
   const first = await waited(tab, () => tab.open(basename(path), bytes));
   const [, width, height] = (await tab.page.textContent('#title')).match(/(\d+) × (\d+)$/).map(Number);
   const id = await tab.page.evaluate(() => JSON.parse(sessionStorage.getItem('inkgrid-document')).id);
   const grey = new Uint8Array(await (await studio.ask(`/api/documents/${id}/pixels`)).arrayBuffer());
-  const place = await tab.placer(width, height), times = [], own = [];
+  const place = await tab.placer(width, height), times = [], edits = [];
   for (let k = 0; k < kScribbles; ++k) {
     await tab.page.click(`#tools button:has(.glyph-${k % 2 ? 'less' : 'more'})`);
     const [x, y] = inkPlace(grey, width, random);
     times.push(await waited(tab, () => tab.drag([[x, y], [x + 15, y + 10], [x + 30, y + 15]].map(place))));
-    own.push(times.at(-1) - (await method()));
     await waited(tab, () => tab.page.click('#undo'));
   }
+  await tab.page.click('#tools button:has(.glyph-hand)');
+  await tab.page.focus('#stage');
+  for (let k = 0; k < kEdits; ++k) {
+    await tab.page.keyboard.press('n');
+    edits.push(await waited(tab, () => tab.page.keyboard.press('Delete')));
+    await waited(tab, () => tab.page.keyboard.press('Control+z'));
+  }
   await studio.stop();
-  const numbers = [first, at(times, 0.5), at(times, 0.9), at(own, 0.5)].map((time) => time.toFixed(0).padStart(8));
+  const numbers = [first, at(times, 0.5), at(times, 0.9), at(edits, 0.5)].map((time) => time.toFixed(0).padStart(8));
   console.log(basename(path).padEnd(28), ...numbers, '  ms');
 }
 
-console.log('drawing'.padEnd(28), '   first', '  median', '    90th', '  studio', `  pen-up to curves, ${kScribbles} scribbles`);
+console.log('drawing'.padEnd(28), '   first', '  median', '    90th', '    edit', `  first curves; pen-up to curves, ${kScribbles} scribbles; a curve deleted, ${kEdits} times`);
 const browser = await launch();
 try {
   for (const path of drawings) await measure(browser, path);
