@@ -26,9 +26,10 @@ test('a drawing named on the command line is open from the start', { timeout: pa
   assert.match(await tab.page.textContent('#title'), /^given\.png/);
 });
 
-test('a sample is opened by a click, and a dropped file takes its place', { timeout: patience }, async (t) => {
+test('a sample is opened with a key, and a dropped file takes its place', { timeout: patience }, async (t) => {
   const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.page.click('#samples button >> nth=0');
+  await tab.page.focus('#samples button >> nth=0');
+  await tab.page.keyboard.press('Enter');
   await tab.waitToSay(/curves in/);
   const data = await tab.page.evaluateHandle((bytes) => {
     const transfer = new DataTransfer();

@@ -1,8 +1,9 @@
 // Scribbles, sliders, undo, layers, and all of it without a mouse.
 import assert from 'node:assert/strict';
+import { writeFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { cross } from './drawings.mjs';
-import { eventually, launch, openTab, patience, startStudio } from './support.mjs';
+import { eventually, launch, openTab, patience, scratch, startStudio } from './support.mjs';
 
 let browser;
 before(async () => (browser = await launch()));
@@ -225,7 +226,9 @@ test('touch paints with one finger and zooms with two', { timeout: patience }, a
 });
 
 test('everything is done with the keyboard alone', { timeout: 2 * patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address), { keyboard } = tab.page;
+  const path = await scratch(t);
+  await writeFile(path('cross.png'), cross());
+  const tab = await openTab(t, browser, (await startStudio(t, path('cross.png'))).address), { keyboard } = tab.page;
   const focusOn = async (selector) => {
     for (let k = 0; k < 80; ++k) {
       if (await tab.page.evaluate((s) => document.activeElement?.matches(s), selector)) return;
@@ -233,8 +236,6 @@ test('everything is done with the keyboard alone', { timeout: 2 * patience }, as
     }
     assert.fail(`Tab does not reach ${selector}`);
   };
-  await focusOn('#samples button');
-  await keyboard.press('Enter');
   await tab.waitToSay(/curves in/);
   const count = await tab.count();
   assert.ok(await tab.page.evaluate(() => document.activeElement.id === 'stage'));

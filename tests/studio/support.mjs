@@ -9,7 +9,7 @@ import { promisify } from 'node:util';
 const { chromium } = createRequire(join(process.env.INKGRID_NPM, 'package.json'))('playwright-core');
 const program = process.env.INKGRID;
 
-export const patience = 60_000; // ms; the machine may be busy
+export const patience = 120_000; // ms; the machine may be busy
 const often = { polling: 50 }; // a tab behind another one draws no frames
 
 const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--disable-gpu', '--enable-unsafe-swiftshader'];
