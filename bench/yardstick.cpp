@@ -99,7 +99,8 @@ double map_seconds(const Stages& stages) {
       *options.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
   const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
   const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, stages.slim, map_options);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.slim, map_options, cuts, snap};
+  const HeldVertices held = held_vertices(stages.mesh, cuts, nullptr);
+  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.slim, map_options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);
   Triplets<double> lower;
   std::vector<double> right;

@@ -23,15 +23,18 @@ using LatticeTriangle = std::array<LatticePoint, 3>;
 struct Lattice {
   Vec2 along;
   Vec2 across;
+  Vec2 origin;  // px: of the raster in the drawing, where the lattice has its point (0, 0)
 
-  explicit Lattice(double side)
+  Lattice(double side, Vec2 origin_of_raster)
       : along(side * Vec2{std::cos(kLatticeTurn), std::sin(kLatticeTurn)}),
-        across(along * Vec2{std::cos(std::numbers::pi / 3), std::sin(std::numbers::pi / 3)}) {}
+        across(along * Vec2{std::cos(std::numbers::pi / 3), std::sin(std::numbers::pi / 3)}),
+        origin(origin_of_raster) {}
 
-  Vec2 at(LatticePoint p) const { return p.i * along + p.j * across; }
+  Vec2 at(LatticePoint p) const { return p.i * along + p.j * across - origin; }
   // Lattice coordinates of a point, not rounded.
   Vec2 coordinates(Vec2 p) const {
     const double d = cross(along, across);
+    p += origin;
     return {cross(p, across) / d, cross(along, p) / d};
   }
   Vec2 barycentre(const LatticeTriangle& t) const { return (at(t[0]) + at(t[1]) + at(t[2])) / 3; }
@@ -54,7 +57,8 @@ class Refinement {
   Refinement(const Ink& ink, const ScaleMask* mask, const BandOptions& options) : ink_(ink), mask_(mask), options_(options) {
     const auto [low, high] = mask ? std::minmax_element(mask->factor.begin(), mask->factor.end())
                                   : std::pair<std::vector<float>::const_iterator, std::vector<float>::const_iterator>{};
-    const double finest = mask ? std::min(1.0, static_cast<double>(*low)) : 1,
+    // A power of two: every triangle of the drawing without a mask is one of this lattice too.
+    const double finest = mask ? std::exp2(std::floor(std::log2(std::min(1.0, static_cast<double>(*low))))) : 1,
                  coarsest = mask ? std::max(1.0, static_cast<double>(*high)) : 1;
     levels_ = static_cast<int>(std::ceil(std::log2(coarsest / finest) - 1e-9));
     // Circumdiameter of an equilateral triangle: 2 / sqrt(3) sides.
@@ -67,7 +71,7 @@ class Refinement {
 
   // The triangles of the lattice whose barycentre is within reach, with hanging points on their sides closed by bisection.
   std::vector<LatticeTriangle> triangles() const {
-    const Lattice lattice(side_);
+    const Lattice lattice(side_, ink_.origin);
     std::vector<LatticeTriangle> leaves;
     for_each_root(lattice, [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, leaves); });
     if (levels_ == 0) return leaves;
@@ -103,7 +107,7 @@ class Refinement {
       double first = high.x, last = low.x;
       for (const int jj : {j, j + step})
         for (const double y : {0.0, h}) {
-          const double i = (y - jj * lattice.across.y) / lattice.along.y;
+          const double i = (y + lattice.origin.y - jj * lattice.across.y) / lattice.along.y;
           first = std::min(first, i);
           last = std::max(last, i);
         }
@@ -301,6 +305,8 @@ void split_touching_vertices(BandMesh& mesh) {
   }
 }
 
+}  // namespace
+
 void number_components(BandMesh& mesh) {
   UnionFind sets(mesh.face_count());
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
@@ -313,14 +319,13 @@ void number_components(BandMesh& mesh) {
   }
 }
 
-}  // namespace
-
 BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& options) {
   BandMesh mesh;
   if (ink.pixels == 0) return mesh;
   const Refinement refinement(ink, mask, options);
   const auto triangles = refinement.triangles();
-  number_points(triangles, Lattice(refinement.side()), mesh);
+  number_points(triangles, Lattice(refinement.side(), ink.origin), mesh);
+  mesh.side = refinement.side();
   link_twins(mesh);
   split_touching_vertices(mesh);
   number_components(mesh);

@@ -32,6 +32,7 @@ struct BandMesh {
   std::vector<std::uint8_t> on_ink;       // per face: the pixel at its barycentre, or the nearest one inside, is a stroke pixel
   std::vector<std::uint8_t> in_stroke;  // per face: on ink, or on paper between strokes nearer to each other than twice the reach
   int components = 0;
+  double side = 0;  // px, of the finest lattice
 
   int face_count() const { return static_cast<int>(faces.size()); }
   int vertex_count() const { return static_cast<int>(points.size()); }
@@ -61,6 +62,9 @@ struct BandOptions {
 // Triangles with their barycentre nearer than reach x stroke width x mask factor to a stroke pixel.  Every vertex's faces form
 // one fan: a vertex where the band only touches itself is split.  `mask` may be null.
 BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& options);
+
+// Numbers the connected components by their smallest face.
+void number_components(BandMesh& mesh);
 
 // Vertices on a boundary edge.
 std::vector<std::uint8_t> boundary_vertices(const BandMesh& mesh);

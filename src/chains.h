@@ -18,6 +18,7 @@ struct Chain {
   int end_junction = -1;
   double width = 0;      // px
   double coverage = 0;   // 0..1
+  bool mark = false;     // straight, in the place of ink that no isoline follows
   double confirmed = 0;  // length along which paper bounds it on both sides, px (follow_ridges)
 };
 

@@ -2,6 +2,8 @@
 
 #include <deque>
 
+#include "known.h"
+
 namespace inkgrid {
 namespace {
 
@@ -53,14 +55,23 @@ std::vector<Axes> face_axes(const BandMesh& mesh, const FrameField& field) {
   return axes;
 }
 
-// Combs the frames along a breadth-first dual spanning tree of each component; returns which halfedges the tree crosses.
-std::vector<std::uint8_t> comb(const BandMesh& mesh, std::vector<Axes>& axes) {
+// Combs the frames along a breadth-first dual spanning tree of each component, or from all that is known in it; returns which
+// halfedges the tree crosses, and those that are known to be uncut.
+std::vector<std::uint8_t> comb(const BandMesh& mesh, const Known* known, std::vector<Axes>& axes) {
   std::vector<std::uint8_t> crossed(3 * mesh.faces.size(), 0), seen(mesh.faces.size(), 0);
   std::deque<int> queue;
-  for (int seed = 0; seed < mesh.face_count(); ++seed) {
-    if (seen[static_cast<std::size_t>(seed)]) continue;
-    seen[static_cast<std::size_t>(seed)] = 1;
-    queue.push_back(seed);
+  if (known) {
+    crossed = known->uncut;
+    seen = known->faces;
+    for (int f = 0; f < mesh.face_count(); ++f)
+      if (seen[static_cast<std::size_t>(f)]) queue.push_back(f);
+  }
+  // Without a face at first: what is known.
+  for (int seed = -1; seed < mesh.face_count(); ++seed) {
+    if (seed >= 0 && !seen[static_cast<std::size_t>(seed)]) {
+      seen[static_cast<std::size_t>(seed)] = 1;
+      queue.push_back(seed);
+    }
     while (!queue.empty()) {
       const int f = queue.front();
       queue.pop_front();
@@ -130,9 +141,12 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
 
 }  // namespace
 
-Charts comb_charts(const BandMesh& mesh, const FrameField& field) {
+Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known) {
   std::vector<Axes> axes = face_axes(mesh, field);
-  const auto crossed = comb(mesh, axes);
+  if (known)
+    for (std::size_t f = 0; f < axes.size(); ++f)
+      if (known->faces[f]) axes[f] = {known->s[f], known->t[f]};
+  const auto crossed = comb(mesh, known, axes);
   Charts charts;
   const std::size_t halfedges = 3 * mesh.faces.size();
   charts.turns.assign(halfedges, 0);

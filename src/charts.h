@@ -21,6 +21,9 @@ struct Charts {
   int singularities = 0;
 };
 
-Charts comb_charts(const BandMesh& mesh, const FrameField& field);
+struct Known;
+
+// Frames and cuts that are known stay; the combing starts from them.
+Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known = nullptr);
 
 }  // namespace inkgrid

@@ -357,7 +357,7 @@ Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
 Chains reach_fills(Chains chains, const Fills& fills, double reach) {
   for (auto& chain : chains.chains)
     for (const bool at_start : {true, false}) {
-      if (!is_free(chain, at_start)) continue;
+      if (chain.mark || !is_free(chain, at_start)) continue;
       const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
       double way = 0;
       while (way < reach && nearest(fills.region, tip + way * direction, -1) < 0) way += 0.25;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "base/digest.h"
@@ -329,16 +330,38 @@ Samples side_between(const Samples& samples, const Corner& from, const Corner& t
   return side;
 }
 
-Curve fitted(const Chain& chain, const FitOptions& options) {
-  // A closed chain on a junction must pass through it, so its seam stays there.
-  const bool free_seam = chain.closed && chain.start_junction < 0 && chain.end_junction < 0;
-  return {fit_polyline(chain.points, free_seam, options),
+// A closed chain on a junction must pass through it, so its seam stays there.
+template <class Line>
+bool has_free_seam(const Line& line) {
+  return line.closed && line.start_junction < 0 && line.end_junction < 0;
+}
+
+// Curves by the digest of their points.
+class Fitted {
+ public:
+  explicit Fitted(const std::vector<Curve>& curves) {
+    for (const Curve& curve : curves) by_id_.emplace(curve.id, &curve);
+  }
+
+  const Curve* find(std::uint64_t id, const Chain& chain) const {
+    const auto found = by_id_.find(id);
+    return found != by_id_.end() && has_free_seam(*found->second) == has_free_seam(chain) ? found->second : nullptr;
+  }
+
+ private:
+  std::map<std::uint64_t, const Curve*> by_id_;
+};
+
+Curve curve_of(const Chain& chain, const FitOptions& options, const Fitted& before) {
+  const std::uint64_t id = digest(chain.points);
+  const Curve* const known = before.find(id, chain);
+  return {known ? known->segments : fit_polyline(chain.points, has_free_seam(chain), options),
           chain.closed,
           chain.width,
           chain.coverage,
           chain.start_junction,
           chain.end_junction,
-          digest(chain.points)};
+          id};
 }
 
 }  // namespace
@@ -361,12 +384,13 @@ std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const
   return cubics;
 }
 
-Drawing fit_curves(const Chains& chains, const FitOptions& options) {
+Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before) {
+  const Fitted known(before);
   const int count = static_cast<int>(chains.chains.size());
   std::vector<Curve> curves(chains.chains.size());
   for_ranges(options.threads, count, 1, [&](int first, int last) {
     for (int c = first; c < last; ++c)
-      curves[static_cast<std::size_t>(c)] = fitted(chains.chains[static_cast<std::size_t>(c)], options);
+      curves[static_cast<std::size_t>(c)] = curve_of(chains.chains[static_cast<std::size_t>(c)], options, known);
   });
   Drawing drawing;
   drawing.junctions = chains.junctions;

@@ -16,6 +16,8 @@ struct FitOptions {
   double tolerance = 1;    // px: no point of a chain is further from its curve
   double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
   int threads = 0;         // 0: as many as the machine has
+
+  friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
 
 // Few cubic segments within the tolerance, but for points that cut a corner (they are left out, and the corner is where its sides
@@ -25,6 +27,7 @@ struct FitOptions {
 // (a closed curve's seam is moved to a corner if it has one).
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
 
-Drawing fit_curves(const Chains& chains, const FitOptions& options);
+// `before`: curves fitted with the same options; those whose chain is there again are taken as they are.
+Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before = {});
 
 }  // namespace inkgrid

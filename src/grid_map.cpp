@@ -39,7 +39,9 @@ void solve_component(const MapSetup& setup, const MapLayout& layout, int compone
     if (setup.snap.component[i] == component) unknowns.region[i] = integer(layout.region[i]);
   for (int v : layout.vertices[at(component)]) {
     const int node = layout.node[at(v)], form = setup.cuts.doubled_form[at(v)];
-    if (node >= 0)
+    if (setup.held.is_held[at(v)])
+      unknowns.vertex[at(v)] = setup.held.uv[at(v)];
+    else if (node >= 0)
       unknowns.vertex[at(v)] = {solution.reals[at(node)].p, solution.reals[at(node)].q};
     else if (form >= 0)
       unknowns.vertex[at(v)] = 0.5 * real(value_of(setup.cuts.forms[at(form)], unknowns.shift));
@@ -163,10 +165,11 @@ void measure_energies(const MapSetup& setup, const Unknowns& unknowns, GridMap& 
 }  // namespace
 
 GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
-                       const GridMapOptions& options, const Control& control) {
+                       const GridMapOptions& options, const Control& control, const Known* known) {
   const CutShifts cuts = trace_cuts(mesh, charts);
   const SnapRegions snap = merge_snapping(mesh, charts, labels, ink, options);
-  const MapSetup setup{mesh, charts, labels, ink, options, cuts, snap};
+  const HeldVertices held = held_vertices(mesh, cuts, known);
+  const MapSetup setup{mesh, charts, labels, ink, options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);
   Unknowns unknowns{std::vector<Vec2>(mesh.points.size()), std::vector<IVec2>(cuts.shift_component.size()),
                     std::vector<std::int64_t>(snap.component.size())};

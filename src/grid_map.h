@@ -44,7 +44,10 @@ struct GridMap {
   }
 };
 
+struct Known;
+
+// Vertices of which all faces are known keep their coordinates to the last digit.
 GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
-                       const GridMapOptions& options, const Control& control);
+                       const GridMapOptions& options, const Control& control, const Known* known = nullptr);
 
 }  // namespace inkgrid

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/raster.h"
+#include "inkgrid/vec2.h"
 #include "threshold.h"
 
 namespace inkgrid {
@@ -22,6 +23,7 @@ struct Ink {
   long pixels = 0;                // stroke pixels
   double threshold = 0;           // as Binarisation
   bool inverted = false;
+  Vec2 origin;  // px: where pixel (0, 0) lies in the drawing, whole numbers; other than zero for a window of it (window.h)
 
   int width() const { return mask.width; }
   int height() const { return mask.height; }

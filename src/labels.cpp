@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/sample.h"
 #include "base/transition.h"
+#include "known.h"
 
 namespace inkgrid {
 namespace {
@@ -140,7 +141,8 @@ std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std
   return labels;
 }
 
-std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options) {
+std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options,
+                                 const Known* known) {
   std::vector<Label> labels(mesh.faces.size(), Label::none);
   if (mesh.faces.empty()) return labels;
   const auto thick = dilated(ink);
@@ -148,6 +150,10 @@ std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, con
   for_ranges(options.threads, mesh.face_count(), 1024, [&](int first, int last) {
     std::size_t along = 0;
     for (int f = first; f < last; ++f) {
+      if (known && known->faces[static_cast<std::size_t>(f)]) {
+        labels[static_cast<std::size_t>(f)] = known->labels[static_cast<std::size_t>(f)];
+        continue;
+      }
       if (!mesh.on_ink[static_cast<std::size_t>(f)]) continue;
       const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[static_cast<std::size_t>(f)]);
       const auto length = ink_lengths(tracer, f, along, reach, options.ratio);

@@ -25,6 +25,10 @@ struct LabelOptions {
 // Labels carried from the ink over the paper between strokes of one line (faces in_stroke), breadth first through the charts.
 std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std::vector<Label> labels);
 
-std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options);
+struct Known;
+
+// Labels that are known stay.
+std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, const Ink& ink, const LabelOptions& options,
+                                 const Known* known = nullptr);
 
 }  // namespace inkgrid

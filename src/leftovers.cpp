@@ -58,26 +58,28 @@ Chain mark_of(const Piece& piece) {
   chain.points = resampled({centre - half * axis, centre + half * axis}, 1);
   chain.width = 2 * across;
   chain.coverage = 1;
+  chain.mark = true;
   return chain;
 }
 
 }  // namespace
 
-Leftovers mark_leftovers(Chains chains, const Ink& ink, double reach) {
-  Leftovers result;
+Chains mark_leftovers(Chains chains, const Ink& ink, double reach) {
   const Ownership ownership = assign_ink(chains.chains, ink, reach);
-  result.chains = std::move(chains);
   Raster<std::uint8_t> seen(ink.width(), ink.height());
   for (int y = 0; y < ink.height(); ++y)
     for (int x = 0; x < ink.width(); ++x) {
       if (!ink.mask(x, y) || seen(x, y)) continue;
       const Piece piece = collect_piece(ink, ownership.owner, seen, x, y);
-      if (piece.reached) continue;
-      result.chains.chains.push_back(mark_of(piece));
-      const double length = lengths_along(result.chains.chains.back().points).back();
-      ++(length <= 2 * ink.stroke_width ? result.dots : result.dashes);
+      if (!piece.reached) chains.chains.push_back(mark_of(piece));
     }
-  return result;
+  return chains;
+}
+
+int count_dashes(const Chains& chains, double stroke_width) {
+  return static_cast<int>(std::count_if(chains.chains.begin(), chains.chains.end(), [&](const Chain& chain) {
+    return chain.mark && lengths_along(chain.points).back() > 2 * stroke_width;
+  }));
 }
 
 }  // namespace inkgrid

@@ -7,13 +7,10 @@
 
 namespace inkgrid {
 
-struct Leftovers {
-  Chains chains;   // with the marks
-  int dots = 0;    // marks no longer than two stroke widths
-  int dashes = 0;  // longer ones: ink whose shape the mark only hints at
-};
-
 // Each connected piece of ink that no chain reaches within `reach` px becomes a straight mark along its longer axis.
-Leftovers mark_leftovers(Chains chains, const Ink& ink, double reach);
+Chains mark_leftovers(Chains chains, const Ink& ink, double reach);
+
+// Marks longer than two stroke widths: ink whose shape they only hint at.  Shorter ones are dots.
+int count_dashes(const Chains& chains, double stroke_width);
 
 }  // namespace inkgrid

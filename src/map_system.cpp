@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "known.h"
+
 namespace inkgrid {
 namespace {
 
@@ -110,9 +112,16 @@ class ComponentProblem {
     const Vec2 unit_turn = turned(Vec2{1, 0}, turn(corner));
     if (node(corner) >= 0)
       complex_term(2 * node(corner), unit_turn);
-    else
+    else if (!setup_.held.is_held[at(vertex(corner))])
       form_terms(setup_.cuts.doubled_form[at(vertex(corner))], 0.5 * unit_turn);
     form_terms(setup_.cuts.corner_form[at(corner)], {1, 0});
+  }
+
+  // What one coordinate of a corner has besides its terms.
+  double constant(int corner, int coordinate) const {
+    if (!setup_.held.is_held[at(vertex(corner))]) return 0;
+    const Vec2 uv = turned(setup_.held.uv[at(vertex(corner))], turn(corner));
+    return coordinate == 0 ? uv.x : uv.y;
   }
 
   // weight / 2 * (corner - integer)^2, of one coordinate.
@@ -120,6 +129,7 @@ class ComponentProblem {
     if (weight == 0) return;
     const int integer = reals_ + layout_.region[at(setup_.snap.region[at(corner)])];
     add_entry(integer, integer, weight);
+    add_right(integer, weight * constant(corner, coordinate));
     add_product(corner, corner, coordinate, weight);
     for_each_term(corner, coordinate, [&](int place, double factor) {
       add_entry(integer, place, -weight * factor);
@@ -129,7 +139,9 @@ class ComponentProblem {
 
   // factor / 2 * (corner a) * (corner b), of one coordinate.
   void add_product(int a, int b, int coordinate, double factor) {
+    const double right = factor * constant(b, coordinate);
     for_each_term(a, coordinate, [&](int row, double fa) {
+      if (right != 0) add_right(row, -fa * right);
       for_each_term(b, coordinate, [&](int column, double fb) { add_entry(row, column, factor * fa * fb); });
     });
   }
@@ -166,6 +178,21 @@ class ComponentProblem {
 
 }  // namespace
 
+// The coordinates of a vertex are those of a corner in its own chart.
+HeldVertices held_vertices(const BandMesh& mesh, const CutShifts& cuts, const Known* known) {
+  HeldVertices held{std::vector<std::uint8_t>(mesh.points.size(), 0), std::vector<Vec2>(mesh.points.size())};
+  if (!known) return held;
+  const auto vertex = [&](int corner) { return at(mesh.faces[at(face_of(corner))][at(corner % 3)]); };
+  for (int c = 0; c < 3 * mesh.face_count(); ++c) {
+    if (!known->faces[at(face_of(c))] || cuts.corner_turn[at(c)] != 0 || cuts.corner_form[at(c)] >= 0) continue;
+    held.is_held[vertex(c)] = !cuts.fixed_point[vertex(c)];
+    held.uv[vertex(c)] = known->uv[at(c)];
+  }
+  for (int c = 0; c < 3 * mesh.face_count(); ++c)
+    if (!known->faces[at(face_of(c))]) held.is_held[vertex(c)] = 0;
+  return held;
+}
+
 MapLayout lay_out(const MapSetup& setup) {
   const BandMesh& mesh = setup.mesh;
   const std::size_t components = at(mesh.components);
@@ -183,7 +210,7 @@ MapLayout lay_out(const MapSetup& setup) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (component[at(v)] < 0) continue;
     layout.vertices[at(component[at(v)])].push_back(v);
-    if (!setup.cuts.fixed_point[at(v)]) layout.node[at(v)] = layout.nodes[at(component[at(v)])]++;
+    if (!setup.cuts.fixed_point[at(v)] && !setup.held.is_held[at(v)]) layout.node[at(v)] = layout.nodes[at(component[at(v)])]++;
   }
   const auto take_integers = [&](int owner, int count) {
     const int first = layout.integers[at(owner)];

@@ -14,6 +14,17 @@
 
 namespace inkgrid {
 
+struct Known;
+
+// Vertices that keep their coordinates.
+struct HeldVertices {
+  std::vector<std::uint8_t> is_held;  // per vertex
+  std::vector<Vec2> uv;               // per vertex
+};
+
+// A vertex is held where all faces around it are known; nothing known, none held.
+HeldVertices held_vertices(const BandMesh& mesh, const CutShifts& cuts, const Known* known);
+
 // What stands before the solver.
 struct MapSetup {
   const BandMesh& mesh;
@@ -23,11 +34,12 @@ struct MapSetup {
   const GridMapOptions& options;
   const CutShifts& cuts;
   const SnapRegions& snap;
+  const HeldVertices& held;
 };
 
 // Where each unknown stands among those of its component.
 struct MapLayout {
-  std::vector<int> node;                   // per vertex: the pair of its (u, v); -1 at fixed points
+  std::vector<int> node;                   // per vertex: the pair of its (u, v); -1 at fixed points and held vertices
   std::vector<int> shift;                  // per free shift: its first integer, the second follows
   std::vector<int> region;                 // per snapping region: its integer
   std::vector<int> nodes;                  // per component: how many

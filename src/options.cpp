@@ -27,8 +27,8 @@ constexpr const auto& names_of() {
     return kFillModeNames;
 }
 
-constexpr std::array<std::string_view, 10> kStageNames{"ink",      "band",     "frame field", "charts", "labels",
-                                                       "grid map", "isolines", "chains",      "fit",    ""};
+constexpr std::array<std::string_view, 11> kStageNames{"ink",      "band",   "frame field", "charts", "labels", "grid map",
+                                                       "isolines", "chains", "scribbles",   "fit",    ""};
 
 constexpr std::array kTable{
     OptionRow{"preset", &Options::preset, Stage::band, "", 0, 2, "7",

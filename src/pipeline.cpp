@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "assembled.h"
 #include "corners.h"
 #include "crossings.h"
 #include "ends.h"
@@ -13,8 +14,10 @@
 #include "junctions.h"
 #include "leftovers.h"
 #include "options.h"
+#include "parts.h"
 #include "preset.h"
 #include "simplify.h"
+#include "window.h"
 
 namespace inkgrid {
 namespace {
@@ -94,16 +97,15 @@ void report_map(const FrameField& field, const Charts& charts, const GridMap& ma
   report.fallback_components = static_cast<int>(map.failed_components.size());
 }
 
-void report_leftovers(const Leftovers& leftovers, const GridMap& map, Report& report) {
+void report_leftovers(const Chains& chains, const GridMap& map, double stroke_width, Report& report) {
   const auto sentence = [](int count, const char* what, const char* fate) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s") + fate;
   };
   if (!map.failed_components.empty())
     report.warnings.push_back(
         sentence(static_cast<int>(map.failed_components.size()), "part", " of the drawing could not be solved"));
-  if (leftovers.dashes > 0)
-    report.warnings.push_back(
-        sentence(leftovers.dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
+  if (const int dashes = count_dashes(chains, stroke_width); dashes > 0)
+    report.warnings.push_back(sentence(dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
 }
 
 // What is not resolved: doubles within half a grid cell; spurs and junctions within half a cell, or what a pen can show if that
@@ -189,7 +191,7 @@ Stage first_stage_changed(const Inputs& before, const Inputs& now) {
   Options known = before.settled;
   known.preset = now.settled.preset;  // it has done its work
   const Stage changed = first_stage_changed(known, now.settled);
-  return same_mask(before.mask, now.mask) ? changed : std::min(changed, Stage::band);
+  return same_mask(before.mask, now.mask) ? changed : std::min(changed, Stage::scribbles);
 }
 
 // What the stages before `first` made.
@@ -204,7 +206,8 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   move(Stage::labels, &Stages::labels);
   move(Stage::map, &Stages::map);
   move(Stage::isolines, &Stages::exact, &Stages::graph);
-  move(Stage::chains, &Stages::chains);
+  move(Stage::chains, &Stages::plain);
+  move(Stage::scribbles, &Stages::chains);
   move(Stage::fit, &Stages::drawing);
 }
 
@@ -213,35 +216,34 @@ double slimness(const Stages& stages) {
   return stages.slim.stroke_width / stages.ink.stroke_width;
 }
 
-void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control) {
+BandMesh band_of(const Stages& stages, const ScaleMask* mask) {
   const Options& options = stages.inputs.settled;
-  if (first <= Stage::band) {
-    stages.slim = run("slim ink", 0.08, [&] { return slim_ink(stages.ink, slim_share(*options.spacing)); });
-    const double reach = *options.reach / slimness(stages);
-    stages.mesh = run("band", 0.1, [&] { return build_band(stages.slim, control.mask, {reach, options.mesh_size}); });
-    report_mesh(stages.mesh, stages.report);
-  }
+  return build_band(stages.slim, mask, {*options.reach / slimness(stages), options.mesh_size});
+}
+
+// `known`: what is kept of the band's solution, if anything.
+void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control, const Known* known) {
+  const Options& options = stages.inputs.settled;
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
                                    options.field_rounds};
   if (first <= Stage::field)
     stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
-  if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field); });
+  if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field, known); });
+  const LabelOptions label_options{options.label_length, options.label_ratio, options.threads};
   if (first <= Stage::labels)
-    stages.labels = run("labels", 0.52, [&] {
-      return label_strokes(stages.mesh, stages.charts, stages.slim, {options.label_length, options.label_ratio, options.threads});
-    });
+    stages.labels =
+        run("labels", 0.52, [&] { return label_strokes(stages.mesh, stages.charts, stages.slim, label_options, known); });
   const GridMapOptions map_options{*options.spacing / slimness(stages),
                                    options.snap,
                                    options.snap_sigma,
                                    options.damping,
                                    options.merge_difference,
                                    options.threads};
-  if (first <= Stage::map) {
+  if (first <= Stage::map)
     stages.map = run("grid map", 0.6, [&] {
-      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.6, 0.9));
+      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.6, 0.9),
+                            known);
     });
-    report_map(stages.field, stages.charts, stages.map, stages.report);
-  }
 }
 
 void run_ink(Stages& stages, Stopwatch& run) {
@@ -252,27 +254,77 @@ void run_ink(Stages& stages, Stopwatch& run) {
     binarisation = without_fills(std::move(binarisation), stages.fills);
   }
   stages.ink = run("ink", 0.06, [&] { return measure_ink(std::move(binarisation)); });
-  report_ink(stages.ink, stages.fills, stages.report);
 }
 
-Chains chain_on_ink(const Stages& stages, Report& report, Stopwatch& run) {
+Chains chain_on_ink(const Stages& stages, Stopwatch& run) {
   const Options& options = stages.inputs.settled;
-  Chains chains = run("chains", 0.95, [&] {
+  Chains chains = run("chains", 0.94, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
     return chain_strokes(stages.graph, stages.mesh, labels, stages.slim);
   });
   const double slim = slimness(stages);
-  chains = run("refinement", 0.96, [&] {
+  chains = run("refinement", 0.95, [&] {
     return refine_on_ink(chains, stages.slim, stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim,
                          options.coverage_bins);
   });
   if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
-  chains = reach_fills(std::move(chains), stages.fills, 1.5 * stages.ink.stroke_width);
-  Leftovers leftovers = mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
-  report.warnings.clear();
-  report_leftovers(leftovers, stages.map, report);
-  for (auto& chain : leftovers.chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
-  return std::move(leftovers.chains);
+  return mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
+}
+
+void run_to_chains(Stage first, Stages& stages, Stopwatch& run) {
+  if (first <= Stage::isolines) {
+    stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
+    stages.graph = run("isolines", 0.92, [&] {
+      return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
+    });
+  }
+  if (first <= Stage::chains) stages.plain = chain_on_ink(stages, run);
+}
+
+void move_by(Vec2 shift, Stages& stages) {
+  const auto move = [&](std::vector<Vec2>& points) {
+    for (Vec2& p : points) p += shift;
+  };
+  move(stages.mesh.points);
+  for (GraphNode& node : stages.graph.nodes) node.position += shift;
+  for (GraphEdge& edge : stages.graph.edges) move(edge.path);
+  for (Chain& chain : stages.plain.chains) move(chain.points);
+  move(stages.plain.junctions);
+}
+
+// As many rounds of re-weighting as around the window, so that the fields agree where they meet.
+Window solve_window(const Stages& around, const ScaleMask& mask, const TouchedPart& part, double margin, const Control& control) {
+  Window window;
+  Stages& stages = window.stages;
+  stages.ink = window_of(around.ink, part);
+  stages.slim = window_of(around.slim, part);
+  stages.inputs.settled = around.inputs.settled;
+  stages.inputs.settled.field_rounds = around.field.rounds;
+  stages.inputs.settled.degenerate_fraction = 0;
+  stages.mesh = band_of(stages, &mask);
+  window.known = known_from({around.mesh, around.charts, around.labels, around.map}, stages.mesh,
+                            [&](Vec2 p) { return static_cast<double>(distance_at(part, p + stages.ink.origin)) > margin; });
+  Control quiet;
+  quiet.stop = control.stop;
+  Stopwatch run(quiet, stages.report);
+  run_to_map(Stage::field, stages, run, quiet, &window.known);
+  run_to_chains(Stage::isolines, stages, run);
+  move_by(stages.ink.origin, stages);
+  stages.ink = {};
+  stages.slim = {};
+  return window;
+}
+
+Chains with_scribbles(Stages& stages, const Control& control) {
+  if (!stages.inputs.mask) {
+    stages.parts.clear();
+    return stages.plain;
+  }
+  Scribbled scribbled = solve_scribbles(stages, [&](const ScaleMask& mask, const TouchedPart& part, double margin) {
+    return solve_window(stages, mask, part, margin, control);
+  });
+  stages.parts = std::move(scribbled.parts);
+  return std::move(scribbled.chains);
 }
 
 std::vector<Fill> fitted_fills(const Stages& stages) {
@@ -280,33 +332,52 @@ std::vector<Fill> fitted_fills(const Stages& stages) {
   return options.fills == FillMode::layer ? fit_outlines(stages.fills, options.tolerance) : std::vector<Fill>{};
 }
 
-void run_from_map(Stage first, Stages& stages, Stopwatch& run) {
-  if (first <= Stage::isolines) {
-    stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
-    stages.graph = run("isolines", 0.92, [&] {
-      return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
-    });
+FitOptions fit_options_of(const Stages& stages) {
+  const Options& options = stages.inputs.settled;
+  const double width = stages.ink.stroke_width;
+  return {options.tolerance * width, std::min(width, kCornerSpan * stages.slim.stroke_width), options.threads};
+}
+
+// Curves of an earlier run, and what they were fitted with.
+struct FittedBefore {
+  FitOptions options;
+  const std::vector<Curve>& curves;
+};
+
+void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control) {
+  if (first <= Stage::band) {
+    const double share = slim_share(*stages.inputs.settled.spacing);
+    stages.slim = run("slim ink", 0.08, [&] { return slim_ink(stages.ink, share); });
+    stages.mesh = run("band", 0.1, [&] { return band_of(stages, nullptr); });
   }
-  stages.report.nodes = static_cast<int>(stages.graph.nodes.size());
-  stages.report.edges = static_cast<int>(stages.graph.edges.size());
-  if (first <= Stage::chains) stages.chains = chain_on_ink(stages, stages.report, run);
+  run_to_map(first, stages, run, control, nullptr);
+  run_to_chains(first, stages, run);
+  if (first <= Stage::scribbles)
+    stages.chains = run("scribbles", 0.97, [&] {
+      Chains chains = reach_fills(with_scribbles(stages, control), stages.fills, 1.5 * stages.ink.stroke_width);
+      for (Chain& chain : chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
+      return chains;
+    });
   if (first <= Stage::fit) {
-    const double width = stages.ink.stroke_width;
-    const double corner_span = std::min(width, kCornerSpan * stages.slim.stroke_width);
-    const FitOptions fit_options{stages.inputs.settled.tolerance * width, corner_span, stages.inputs.settled.threads};
-    stages.drawing = run("fit", 0.98, [&] { return fit_curves(stages.chains, fit_options); });
+    const FitOptions options = fit_options_of(stages);
+    const bool same = options == before.options;
+    stages.drawing =
+        run("fit", 0.98, [&] { return fit_curves(stages.chains, options, same ? before.curves : std::vector<Curve>{}); });
     stages.drawing.fills = fitted_fills(stages);
-    count_curves(stages.drawing, stages.report);
   }
 }
 
-void run_from(Stage first, Stages& stages, Stopwatch& run, const Control& control) {
+void report_result(const Stages& stages, Report& report) {
   const Options& options = stages.inputs.settled;
-  stages.report.preset = options.preset == Preset::rough ? "rough" : "clean";
-  stages.report.reach = *options.reach;
-  stages.report.spacing = *options.spacing;
-  run_to_map(first, stages, run, control);
-  run_from_map(first, stages, run);
+  report.preset = options.preset == Preset::rough ? "rough" : "clean";
+  report.reach = *options.reach;
+  report.spacing = *options.spacing;
+  report_mesh(stages.parts.empty() ? stages.mesh : assembled_mesh(stages), report);
+  report_map(stages.field, stages.charts, stages.map, report);
+  report.nodes = static_cast<int>(stages.graph.nodes.size());
+  report.edges = static_cast<int>(stages.graph.edges.size());
+  report_leftovers(stages.chains, stages.map, stages.ink.stroke_width, report);
+  count_curves(stages.drawing, report);
 }
 
 }  // namespace
@@ -322,25 +393,24 @@ void rerun_stages(Stages& stages, const Image& image, const Options& options, co
   validate_input(image, control.mask);
   Stages made;
   made.inputs = {image, control.mask ? std::optional(*control.mask) : std::nullopt, options, options};
-  const bool known = same_ink(stages.inputs, made.inputs);
-  if (known) made.report = stages.report;
-  made.report.seconds.clear();
   Stopwatch run(control, made.report);
-  if (!known) {
-    run_ink(made, run);
-  }
+  const bool known = same_ink(stages.inputs, made.inputs);
+  if (!known) run_ink(made, run);
   const Ink& ink = known ? stages.ink : made.ink;
   const bool blank = ink.pixels == 0;
   if (!blank) settle(made.inputs, stages.inputs, ink);
   const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
+  const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
   move_kept(first, stages, made);
+  if (Stage::chains < first) made.parts = stages.parts;  // of use as long as what they are parts of is the same
   try {
-    if (!blank) run_from(first, made, run, control);
+    if (!blank) run_from(first, made, before, run, control);
   } catch (...) {
     move_kept(first, made, stages);
     throw;
   }
-  if (blank) made.report.warnings.clear();
+  report_ink(made.ink, made.fills, made.report);
+  if (!blank) report_result(made, made.report);
   if (blank && made.fills.count == 0) made.report.warnings = {"the drawing holds no ink: the result is empty"};
   if (blank) made.drawing.fills = fitted_fills(made);
   made.drawing.width = image.width;

@@ -2,7 +2,9 @@
 // Source: section 3, Fig. 3.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "chains.h"
 #include "exact_map.h"
@@ -22,11 +24,14 @@ struct Inputs {
   Options settled;                // as used: preset, reach and spacing decided by the ink
 };
 
+struct SolvedPart;  // parts.h
+
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
 struct Stages {
   Fills fills;
   Ink ink;
   Ink slim;  // what the grid works on: the ink with strokes as slim as the spacing asks for
+  // Without the mask:
   BandMesh mesh;
   FrameField field;
   Charts charts;
@@ -34,6 +39,9 @@ struct Stages {
   GridMap map;
   ExactMap exact;
   IsolineGraph graph;
+  Chains plain;
+  // With it:
+  std::vector<std::shared_ptr<const SolvedPart>> parts;
   Chains chains;
   Drawing drawing;
   Report report;

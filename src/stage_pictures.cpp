@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 
+#include "assembled.h"
 #include "pictures/canvas.h"
 #include "pictures/streamlines.h"
 
@@ -176,12 +177,16 @@ constexpr std::array kPictures{
     StagePicture{"curves", draw_curves},
 };
 
+void draw_stage(const StagePicture& picture, Painter& painter, const Stages& stages) {
+  stages.parts.empty() ? picture.draw(painter, stages) : picture.draw(painter, assembled(stages));
+}
+
 }  // namespace
 
 bool paint_stage(std::string_view name, Painter& painter, const Stages& stages) {
   const auto picture = std::find_if(kPictures.begin(), kPictures.end(), [&](const StagePicture& p) { return p.name == name; });
   if (picture == kPictures.end()) return false;
-  picture->draw(painter, stages);
+  draw_stage(*picture, painter, stages);
   return true;
 }
 
@@ -192,7 +197,7 @@ void write_stage_pictures(const std::string& directory, const Image& image, cons
   int number = 0;
   for (const StagePicture& picture : kPictures) {
     Canvas canvas(image, stages.ink.inverted);
-    picture.draw(canvas, stages);
+    draw_stage(picture, canvas, stages);
     const std::string file = std::to_string(++number) + "-" + std::string(picture.name) + ".png";
     canvas.write_png((std::filesystem::path(directory) / file).string());
   }

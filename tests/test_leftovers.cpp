@@ -17,11 +17,11 @@ Chain chain_along(Vec2 a, Vec2 b) {
 
 TEST(Leftovers, ADotBecomesAShortMarkAtItsCentre) {
   const Ink ink = drawn_ink({{{20, 50}, {180, 50}}, {{100, 120}, {100.1, 120}}}, 6, 200);
-  const Leftovers left = mark_leftovers({{}, {chain_along({20, 50}, {180, 50})}}, ink, 2);
-  ASSERT_EQ(left.chains.chains.size(), 2u);
-  EXPECT_EQ(left.dots, 1);
-  EXPECT_EQ(left.dashes, 0);
-  const auto& mark = left.chains.chains.back();
+  const Chains left = mark_leftovers({{}, {chain_along({20, 50}, {180, 50})}}, ink, 2);
+  ASSERT_EQ(left.chains.size(), 2u);
+  EXPECT_TRUE(left.chains.back().mark);
+  EXPECT_EQ(count_dashes(left, ink.stroke_width), 0);
+  const auto& mark = left.chains.back();
   EXPECT_LT(norm(lerp(mark.points.front(), mark.points.back(), 0.5) - Vec2{100.05, 120}), 0.3);
   EXPECT_LT(lengths_along(mark.points).back(), 2);
   EXPECT_NEAR(mark.width, 6, 1.5);
@@ -29,10 +29,10 @@ TEST(Leftovers, ADotBecomesAShortMarkAtItsCentre) {
 
 TEST(Leftovers, AStrokeThatNoChainFollowsIsADash) {
   const Ink ink = drawn_ink({{{40, 60}, {160, 120}}}, 6, 200);
-  const Leftovers left = mark_leftovers({}, ink, 2);
-  ASSERT_EQ(left.chains.chains.size(), 1u);
-  EXPECT_EQ(left.dashes, 1);
-  const auto& points = left.chains.chains.front().points;
+  const Chains left = mark_leftovers({}, ink, 2);
+  ASSERT_EQ(left.chains.size(), 1u);
+  EXPECT_EQ(count_dashes(left, ink.stroke_width), 1);
+  const auto& points = left.chains.front().points;
   const Vec2 a = points.front().x < points.back().x ? points.front() : points.back();
   const Vec2 b = points.front().x < points.back().x ? points.back() : points.front();
   EXPECT_LT(norm(a - Vec2{40, 60}), 1.5);
@@ -41,9 +41,9 @@ TEST(Leftovers, AStrokeThatNoChainFollowsIsADash) {
 
 TEST(Leftovers, InkWithAChainIsLeftAlone) {
   const Ink ink = drawn_ink({{{20, 50}, {180, 50}}}, 6, 200);
-  const Leftovers left = mark_leftovers({{}, {chain_along({30, 51}, {90, 51})}}, ink, 2);
-  EXPECT_EQ(left.chains.chains.size(), 1u);
-  EXPECT_EQ(left.dots + left.dashes, 0);
+  const Chains left = mark_leftovers({{}, {chain_along({30, 51}, {90, 51})}}, ink, 2);
+  EXPECT_EQ(left.chains.size(), 1u);
+  EXPECT_FALSE(left.chains.front().mark);
 }
 
 }  // namespace

@@ -1,0 +1,139 @@
+// What:   how much of a run a change of scribbles or options costs.
+// Source: section 7, "User control", calls local changes future work.
+// Cost:   some runs of the method for each drawing.
+//
+//   bench_rerun [--scribbles N] [--seed S] DRAWING...
+//
+// Processor seconds of one thread.  Each scribble is drawn on ink, alone, on the drawing as it was without; "local" are those
+// that were solved with their surroundings kept.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "image_io.h"
+#include "parts.h"
+#include "scribbles.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr double kRadius = 10, kStep = 8;  // px
+constexpr int kSteps = 12;
+
+double seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double timed(const std::function<void()>& action) {
+  const double start = seconds();
+  action();
+  return seconds() - start;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Image read(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return decode_image(bytes, path);
+}
+
+// A winding stroke of either kind that starts on ink.
+Scribble random_scribble(const Ink& ink, std::mt19937& random) {
+  const auto uniform = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  Vec2 p;
+  do p = {uniform(0, ink.width()), uniform(0, ink.height())};
+  while (!ink.mask(static_cast<int>(p.x), static_cast<int>(p.y)));
+  Scribble scribble{random() % 2 ? ScribbleKind::less : ScribbleKind::more, kRadius, {}};
+  double angle = uniform(0, 2 * std::numbers::pi);
+  for (int i = 0; i < kSteps; ++i) {
+    scribble.points.push_back(p);
+    p += kStep * Vec2{std::cos(angle), std::sin(angle)};
+    angle += uniform(-0.4, 0.4);
+  }
+  return scribble;
+}
+
+bool is_local(const Stages& stages) {
+  return std::all_of(stages.parts.begin(), stages.parts.end(), [](const auto& part) { return part->local; });
+}
+
+void measure_scribbles(const Image& image, const Options& options, const Stages& plain, double full, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<double> times;
+  int local = 0;
+  for (int k = 0; k < count; ++k) {
+    const Scribble scribble = random_scribble(plain.ink, random);
+    ScaleMask mask{image.width, image.height, std::vector<float>(image.grey.size(), 1)};
+    paint_scribbles(mask, {&scribble, 1});
+    Control control;
+    control.mask = &mask;
+    Stages stages = plain;
+    times.push_back(timed([&] { rerun_stages(stages, image, options, control); }));
+    local += is_local(stages);
+  }
+  std::sort(times.begin(), times.end());
+  std::printf("  %-18s %8.3f s  %6.3f of the run  (longest %.3f s, %d of %d local)\n", "scribble", median(times),
+              median(times) / full, times.back(), local, count);
+}
+
+void measure_options(const Image& image, const Options& options, const Stages& plain, double full) {
+  const std::pair<const char*, double> kChanges[] = {{"reach", 1.1}, {"spacing", 1.1}, {"coverage-bins", 2}, {"tolerance", 1.1}};
+  for (const auto& [name, factor] : kChanges) {
+    Options changed = options;
+    const OptionRow& row = option_row(name);
+    set_option(changed, row,
+               std::to_string(std::stod(option_text(plain.inputs.settled, row)) * factor)
+                   .substr(0, row.name == "coverage-bins" ? 1 : 8));
+    Stages stages = plain;
+    const double time = timed([&] { rerun_stages(stages, image, changed, {}); });
+    std::printf("  %-18s %8.3f s  %6.3f of the run\n", name, time, time / full);
+  }
+}
+
+void measure(const char* path, int scribbles, unsigned seed) {
+  const Image image = read(path);
+  Options options;
+  options.threads = 1;
+  Stages plain;
+  const double full = timed([&] { plain = run_stages(image, options, {}); });
+  std::printf("%s: %d x %d px, %d curves\n  %-18s %8.3f s\n", path, image.width, image.height, plain.report.curves,
+              "the whole run", full);
+  measure_scribbles(image, options, plain, full, scribbles, seed);
+  measure_options(image, options, plain, full);
+}
+
+}  // namespace
+}  // namespace inkgrid
+
+int main(int argc, char** argv) {
+  int scribbles = 20;
+  unsigned seed = 1;
+  try {
+    for (int i = 1; i < argc; ++i) {
+      const std::string word = argv[i];
+      if (word == "--scribbles" && i + 1 < argc)
+        scribbles = std::max(1, std::atoi(argv[++i]));
+      else if (word == "--seed" && i + 1 < argc)
+        seed = static_cast<unsigned>(std::atoi(argv[++i]));
+      else
+        inkgrid::measure(argv[i], scribbles, seed);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_rerun: %s\n", error.what());
+    return 1;
+  }
+}
