@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { cross } from './drawings.mjs';
+import { cross, Sheet } from './drawings.mjs';
 import { eventually, launch, openTab, patience, scratch, startStudio } from './support.mjs';
 
 let browser;
@@ -156,6 +156,21 @@ test('every layer draws something', { timeout: 2 * patience }, async (t) => {
     await tab.page.click(`#layer-${layer}`);
     await eventually(async () => (await picture()) === before, `without ${layer}`);
   }
+  assert.deepEqual(tab.faults, []);
+});
+
+test('a filled area is told, shown and switched off', { timeout: patience }, async (t) => {
+  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  await tab.opened('blot.png', new Sheet(240, 180).line([20, 30], [220, 30], 4).line([20, 150], [220, 150], 4).disc(120, 90, 34).png());
+  assert.match(await tab.said(), /^2 curves and a filled area in/);
+  const [x, y] = (await tab.placer(240, 180))([120, 90]);
+  const colour = async () => (await tab.page.screenshot({ clip: { x, y, width: 2, height: 2 } })).toString('base64');
+  const filled = await colour();
+  await tab.page.click('#layer-fills');
+  await eventually(async () => (await colour()) !== filled, 'without the fill');
+  await tab.page.selectOption('#option-fills', 'drop');
+  await tab.waitToSay(/^2 curves in/);
+  assert.match(await tab.command(), /--fills drop/);
   assert.deepEqual(tab.faults, []);
 });
 
