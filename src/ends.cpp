@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/sample.h"
 #include "ownership.h"
@@ -271,6 +272,14 @@ Chains dissolve_junctions(Chains chains) {
       if (chain.end_junction >= 0) at[static_cast<std::size_t>(chain.end_junction)].push_back({c, false});
     }
   };
+  // Keeps the order of `collect`: by chain, starts first.
+  const auto rename = [&](int junction, End from, End to) {
+    if (junction < 0) return;
+    auto& ends = at[static_cast<std::size_t>(junction)];
+    const auto rank = [](End e) { return std::pair(e.chain, !e.at_start); };
+    std::erase_if(ends, [&](End e) { return rank(e) == rank(from); });
+    ends.insert(std::find_if(ends.begin(), ends.end(), [&](End e) { return rank(e) > rank(to); }), to);
+  };
   collect();
   for (std::size_t j = 0; j < at.size(); ++j) {
     if (at[j].size() == 1) {
@@ -288,6 +297,7 @@ Chains dissolve_junctions(Chains chains) {
     }
     auto& second = chains.chains[static_cast<std::size_t>(b.chain)];
     if (a.at_start) {
+      rename(first.end_junction, {a.chain, false}, {a.chain, true});
       std::reverse(first.points.begin(), first.points.end());
       std::swap(first.start_junction, first.end_junction);
     }
@@ -295,11 +305,11 @@ Chains dissolve_junctions(Chains chains) {
       std::reverse(second.points.begin(), second.points.end());
       std::swap(second.start_junction, second.end_junction);
     }
+    rename(second.end_junction, {b.chain, !b.at_start}, {a.chain, false});
     first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
     first.end_junction = second.end_junction;
     second.points.clear();
     second.start_junction = second.end_junction = -1;
-    collect();
   }
   std::erase_if(chains.chains, [](const Chain& c) { return c.points.size() < 2; });
   // Keep only junctions in use, in their order.
