@@ -2,7 +2,7 @@
 
 export const kLayers = [
   { key: 'input', title: 'Drawing', on: true, help: 'What you gave: the grey pixels everything else is made from.' },
-  { key: 'scribbles', title: 'Scribbles', on: true, help: 'Where you asked for less simplification (purple) or more (orange).' },
+  { key: 'scribbles', title: 'Scribbles', on: true, help: 'Where you asked for less simplification (purple) or more (orange); band, field, labels and grid are those from before the scribbles.' },
   { key: 'ink', title: 'Ink', recorded: 'ink', help: 'Pixels taken for strokes, their middle in yellow; the red dot is as wide as the average stroke.' },
   { key: 'band', title: 'Band', recorded: 'band', help: 'A narrow mesh around the ink: strokes whose bands meet can see each other.' },
   { key: 'field', title: 'Frame field', recorded: 'field', help: 'Two directions at every point, one of them along the stroke, as smooth as the drawing allows.' },
