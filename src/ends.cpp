@@ -215,6 +215,32 @@ void cut_overlap(Chain& a, bool a_at_start, Chain& b, bool b_at_start) {
   cut_back(b, b_at_start, 0.5 * (overlap + b.width));
 }
 
+constexpr double kFoldSpan = 3;     // strokes before the end that may be folded
+constexpr double kFoldWide = 0.5;   // strokes: a bend that is wider was drawn
+constexpr double kFoldBack = 0.25;  // strokes
+
+// The last point along the way that the chain came before it turned back within its own stroke; the very last one where it did
+// not.
+std::size_t furthest(const std::vector<Vec2>& points, double width) {
+  const std::size_t last = points.size() - 1;
+  const auto lengths = lengths_along(points);
+  const double from = lengths.back() - kFoldSpan * width;
+  if (from < width) return last;
+  const Vec2 base = point_at(points, lengths, from), direction = unit(base - point_at(points, lengths, from - width));
+  std::size_t tip = last;
+  for (std::size_t k = last; k > 0 && lengths[k] > from; --k) {
+    if (std::abs(cross(direction, points[k] - base)) > kFoldWide * width) return last;
+    if (dot(direction, points[k] - points[tip]) > 0) tip = k;
+  }
+  return dot(direction, points[tip] - points[last]) > kFoldBack * width ? tip : last;
+}
+
+void unfold(Chain& chain, bool at_start, double width) {
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+  chain.points.resize(furthest(chain.points, width) + 1);
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+}
+
 }  // namespace
 
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
@@ -354,6 +380,7 @@ Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   for (auto& chain : chains.chains)
     for (const bool at_start : {true, false}) {
       if (!is_free(chain, at_start)) continue;
+      unfold(chain, at_start, ink.stroke_width);
       const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
       const double further = to_ink_end(ink, tip, direction, options, 4 * ink.stroke_width) - 0.5 * chain.width;
       if (further > 0)

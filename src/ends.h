@@ -22,7 +22,8 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
 // Junctions left with two branches are dissolved.
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);
 
-// Every end that is still free goes on straight, or is cut back, to half a stroke width inside the end of the ink.
+// A free end that turns back within its own stroke, as where a u isoline goes on as a v isoline in its last cell, ends where it
+// turned.  Then every free end goes on straight, or is cut back, to half a stroke width inside the end of the ink.
 Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options);
 
 // A free end that a fill lies straight ahead of, within `reach` px, goes on to its rim.

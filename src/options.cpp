@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array kPresetNames{"auto", "clean", "rough"};
 constexpr std::array kFillModeNames{"layer", "drop", "trace"};
+constexpr std::array kBundleModeNames{"auto", "join", "keep"};
 
 template <class Value>
 concept Choice = std::is_enum_v<Value>;
@@ -23,19 +24,23 @@ template <Choice Value>
 constexpr const auto& names_of() {
   if constexpr (std::is_same_v<Value, Preset>)
     return kPresetNames;
-  else
+  else if constexpr (std::is_same_v<Value, FillMode>)
     return kFillModeNames;
+  else
+    return kBundleModeNames;
 }
 
-constexpr std::array<std::string_view, 11> kStageNames{"ink",      "band",   "frame field", "charts", "labels", "grid map",
-                                                       "isolines", "chains", "scribbles",   "fit",    ""};
+constexpr std::array<std::string_view, 12> kStageNames{"ink",      "bundles",  "band",   "frame field", "charts", "labels",
+                                                       "grid map", "isolines", "chains", "scribbles",   "fit",    ""};
 
 constexpr std::array kTable{
-    OptionRow{"preset", &Options::preset, Stage::band, "", 0, 2, "7",
+    OptionRow{"preset", &Options::preset, Stage::bundles, "", 0, 2, "7",
               "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
     OptionRow{"threshold", &Options::threshold, Stage::ink, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
     OptionRow{"fills", &Options::fills, Stage::ink, "", 0, 2, "",
               "filled areas: outlines in a layer of their own, left out, or traced like strokes"},
+    OptionRow{"bundles", &Options::bundles, Stage::bundles, "", 0, 2, "",
+              "strokes side by side for one line: join them first, keep them, or join them in rough drawings"},
     OptionRow{"reach", &Options::reach, Stage::band, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
     OptionRow{"mesh-size", &Options::mesh_size, Stage::band, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
     OptionRow{"degenerate-angle", &Options::degenerate_angle, Stage::field, "degrees", 0, 90, "6.1",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "assembled.h"
@@ -26,6 +27,7 @@ constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other 
 constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
 constexpr double kTipLength = 2.5;   // of the pen: that of the tip of a corner of 25 degrees
 constexpr double kTipMiss = 0.6;     // of the pen
+constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 
 // Seconds of each stage, and a place to stop.
@@ -160,7 +162,7 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
   located = drop_spurs(std::move(located), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.
-  return spacing > 1 ? drop_overshoots(std::move(located), spacing * width) : located;
+  return spacing > 1 ? drop_overshoots(std::move(located), kOvershoot * width) : located;
 }
 
 bool same_pixels(const Image& a, const Image& b) {
@@ -184,6 +186,8 @@ void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
   const PresetValues values = preset_values(settled.preset, ink.stroke_width);
   settled.reach = inputs.options.reach.value_or(values.reach);
   settled.spacing = inputs.options.spacing.value_or(values.spacing);
+  if (settled.bundles == BundleMode::automatic)
+    settled.bundles = settled.preset == Preset::rough ? BundleMode::join : BundleMode::keep;
 }
 
 Stage first_stage_changed(const Inputs& before, const Inputs& now) {
@@ -200,7 +204,8 @@ void move_kept(Stage first, Stages& from, Stages& to) {
     if (stage < first) ((to.*members = std::move(from.*members)), ...);
   };
   move(Stage::ink, &Stages::fills, &Stages::ink);
-  move(Stage::band, &Stages::slim, &Stages::mesh);
+  move(Stage::bundles, &Stages::bundles);
+  move(Stage::band, &Stages::slim, &Stages::bundle_scale, &Stages::mesh);
   move(Stage::field, &Stages::field);
   move(Stage::charts, &Stages::charts);
   move(Stage::labels, &Stages::labels);
@@ -227,12 +232,12 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
                                    options.field_rounds};
   if (first <= Stage::field)
-    stages.field = run("frame field", 0.15, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
-  if (first <= Stage::charts) stages.charts = run("charts", 0.5, [&] { return comb_charts(stages.mesh, stages.field, known); });
+    stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
+  if (first <= Stage::charts) stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known); });
   const LabelOptions label_options{options.label_length, options.label_ratio, options.threads};
   if (first <= Stage::labels)
     stages.labels =
-        run("labels", 0.52, [&] { return label_strokes(stages.mesh, stages.charts, stages.slim, label_options, known); });
+        run("labels", 0.58, [&] { return label_strokes(stages.mesh, stages.charts, stages.slim, label_options, known); });
   const GridMapOptions map_options{*options.spacing / slimness(stages),
                                    options.snap,
                                    options.snap_sigma,
@@ -240,8 +245,8 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
                                    options.merge_difference,
                                    options.threads};
   if (first <= Stage::map)
-    stages.map = run("grid map", 0.6, [&] {
-      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.6, 0.9),
+    stages.map = run("grid map", 0.62, [&] {
+      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.62, 0.9),
                             known);
     });
 }
@@ -268,7 +273,7 @@ Chains chain_on_ink(const Stages& stages, Stopwatch& run) {
                          options.coverage_bins);
   });
   if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
-  return mark_leftovers(std::move(chains), stages.ink, std::max(1.0, *options.reach * stages.ink.stroke_width));
+  return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run) {
@@ -279,6 +284,34 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run) {
     });
   }
   if (first <= Stage::chains) stages.plain = chain_on_ink(stages, run);
+}
+
+// Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed.
+JoinedInk ground_of(const Stages& stages, const ScaleMask* mask) {
+  const double share = slim_share(*stages.inputs.settled.spacing);
+  if (stages.bundles.count == 0) return {slim_ink(stages.ink, share), {}};
+  JoinedInk joined = join_bundles(stages.ink, stages.bundles, mask);
+  return {slim_ink(joined.ink, share), std::move(joined.scale)};
+}
+
+// A first pass with the usual options, whatever those of this run are: what was drawn for one line is a property of the drawing.
+Bundles scout_bundles(const Stages& stages, const Control& control) {
+  Stages scout;
+  const PresetValues values = preset_values(Preset::rough, stages.ink.stroke_width);
+  Options& options = scout.inputs.settled;
+  options.reach = values.reach;
+  options.spacing = values.spacing;
+  options.threads = stages.inputs.options.threads;
+  scout.ink = stages.ink;
+  scout.slim = ground_of(scout, nullptr).ink;
+  scout.mesh = band_of(scout, nullptr);
+  Control within;
+  within.stop = control.stop;
+  if (control.progress) within.progress = [&](const char*, double done) { control.progress("bundles", 0.08 + 0.2 * done); };
+  Stopwatch run(within, scout.report);
+  run_to_map(Stage::field, scout, run, within, nullptr);
+  run_to_chains(Stage::isolines, scout, run);
+  return find_bundles(scout.plain.chains, stages.ink);
 }
 
 void move_by(Vec2 shift, Stages& stages) {
@@ -292,16 +325,24 @@ void move_by(Vec2 shift, Stages& stages) {
   move(stages.plain.junctions);
 }
 
+ScaleMask product(ScaleMask a, const ScaleMask& b) {
+  std::transform(a.factor.begin(), a.factor.end(), b.factor.begin(), a.factor.begin(), std::multiplies<float>());
+  return a;
+}
+
 // As many rounds of re-weighting as around the window, so that the fields agree where they meet.
-Window solve_window(const Stages& around, const ScaleMask& mask, const TouchedPart& part, double margin, const Control& control) {
+Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMask& mask, const TouchedPart& part, double margin,
+                    const Control& control) {
   Window window;
   Stages& stages = window.stages;
   stages.ink = window_of(around.ink, part);
-  stages.slim = window_of(around.slim, part);
+  stages.slim = window_of(ground ? ground->ink : around.slim, part);
+  stages.bundles.count = around.bundles.count;
   stages.inputs.settled = around.inputs.settled;
   stages.inputs.settled.field_rounds = around.field.rounds;
   stages.inputs.settled.degenerate_fraction = 0;
-  stages.mesh = band_of(stages, &mask);
+  const ScaleMask scale = ground ? product(mask, window_of(ground->scale, part)) : mask;
+  stages.mesh = band_of(stages, &scale);
   window.known = known_from({around.mesh, around.charts, around.labels, around.map}, stages.mesh,
                             [&](Vec2 p) { return static_cast<double>(distance_at(part, p + stages.ink.origin)) > margin; });
   Control quiet;
@@ -320,8 +361,10 @@ Chains with_scribbles(Stages& stages, const Control& control) {
     stages.parts.clear();
     return stages.plain;
   }
+  std::optional<JoinedInk> ground;
+  if (stages.bundles.count > 0) ground = ground_of(stages, &*stages.inputs.mask);
   Scribbled scribbled = solve_scribbles(stages, [&](const ScaleMask& mask, const TouchedPart& part, double margin) {
-    return solve_window(stages, mask, part, margin, control);
+    return solve_window(stages, ground ? &*ground : nullptr, mask, part, margin, control);
   });
   stages.parts = std::move(scribbled.parts);
   return std::move(scribbled.chains);
@@ -345,17 +388,21 @@ struct FittedBefore {
 };
 
 void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control) {
+  if (first <= Stage::bundles && stages.inputs.settled.bundles == BundleMode::join)
+    stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
   if (first <= Stage::band) {
-    const double share = slim_share(*stages.inputs.settled.spacing);
-    stages.slim = run("slim ink", 0.08, [&] { return slim_ink(stages.ink, share); });
-    stages.mesh = run("band", 0.1, [&] { return band_of(stages, nullptr); });
+    JoinedInk ground = run("slim ink", 0.28, [&] { return ground_of(stages, nullptr); });
+    stages.slim = std::move(ground.ink);
+    stages.bundle_scale = std::move(ground.scale);
+    const ScaleMask* scale = stages.bundle_scale.factor.empty() ? nullptr : &stages.bundle_scale;
+    stages.mesh = run("band", 0.3, [&] { return band_of(stages, scale); });
   }
   run_to_map(first, stages, run, control, nullptr);
   run_to_chains(first, stages, run);
   if (first <= Stage::scribbles)
     stages.chains = run("scribbles", 0.97, [&] {
       Chains chains = reach_fills(with_scribbles(stages, control), stages.fills, 1.5 * stages.ink.stroke_width);
-      for (Chain& chain : chains.chains) chain.coverage = ink_coverage(chain, stages.ink);
+      for (Chain& chain : chains.chains) chain.coverage = ink_coverage(chain, covered_ink(stages));
       return chains;
     });
   if (first <= Stage::fit) {
@@ -372,6 +419,7 @@ void report_result(const Stages& stages, Report& report) {
   report.preset = options.preset == Preset::rough ? "rough" : "clean";
   report.reach = *options.reach;
   report.spacing = *options.spacing;
+  report.bundles = stages.bundles.count;
   report_mesh(stages.parts.empty() ? stages.mesh : assembled_mesh(stages), report);
   report_map(stages.field, stages.charts, stages.map, report);
   report.nodes = static_cast<int>(stages.graph.nodes.size());
@@ -381,6 +429,10 @@ void report_result(const Stages& stages, Report& report) {
 }
 
 }  // namespace
+
+const Ink& covered_ink(const Stages& stages) {
+  return stages.bundles.count > 0 ? stages.slim : stages.ink;
+}
 
 void count_curves(const Drawing& drawing, Report& report) {
   report.curves = static_cast<int>(drawing.curves.size());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bundles.h"
 #include "chains.h"
 #include "exact_map.h"
 #include "fills.h"
@@ -30,7 +31,9 @@ struct SolvedPart;  // parts.h
 struct Stages {
   Fills fills;
   Ink ink;
-  Ink slim;  // what the grid works on: the ink with strokes as slim as the spacing asks for
+  Bundles bundles;
+  Ink slim;                // what the grid works on: the ink with bundles joined, and strokes as slim as the spacing asks for
+  ScaleMask bundle_scale;  // how much coarser bundles are; empty where there are none
   // Without the mask:
   BandMesh mesh;
   FrameField field;
@@ -47,6 +50,9 @@ struct Stages {
   Report report;
   Inputs inputs;
 };
+
+// What the curves are to cover: the middle of a bundle may be paper.
+const Ink& covered_ink(const Stages& stages);
 
 Stages run_stages(const Image& image, const Options& options, const Control& control);
 

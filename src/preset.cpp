@@ -62,7 +62,7 @@ Preset choose_preset(Preset given, const Ink& ink) {
 }
 
 PresetValues preset_values(Preset preset, double stroke_width) {
-  if (preset == Preset::rough) return {0.6, 2};
+  if (preset == Preset::rough) return {0.45, 1.5};
   const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
   return {0.3 * fineness, 0.7 * fineness};
 }

@@ -20,6 +20,7 @@ struct JsonValue {
 
   Json operator()(Preset Options::*) const { return option_text(options, row); }
   Json operator()(FillMode Options::*) const { return option_text(options, row); }
+  Json operator()(BundleMode Options::*) const { return option_text(options, row); }
   Json operator()(std::optional<double> Options::*member) const {
     const std::optional<double> value = options.*member;
     return value ? Json(*value) : Json("auto");
@@ -64,6 +65,7 @@ std::string report_json(const Options& options, const Report& report) {
                   {"preset", report.preset},
                   {"reach", report.reach},
                   {"spacing", report.spacing},
+                  {"bundles", report.bundles},
                   {"vertices", report.vertices},
                   {"triangles", report.triangles},
                   {"components", report.components},

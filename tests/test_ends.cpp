@@ -93,6 +93,28 @@ TEST(Ends, FreeEndsReachTheEndOfTheirInk) {
   }
 }
 
+TEST(Ends, AnEndThatTurnsBackInItsStrokeEndsAtTheTurn) {
+  Image image = blank(160, 60);
+  paint(image, {{20, 30}, {140, 30}}, kWidth);
+  Chain folded = chain_along({{20, 30}, {138, 29}, {131, 30.5}, {135, 31}}, kWidth);
+  for (const bool at_start : {false, true}) {
+    const Chains reached = reach_ends({{}, {folded}}, ink_of(image), kEnds);
+    const auto& points = reached.chains[0].points;
+    EXPECT_NEAR(length_of(reached.chains[0]), 120, 1.5) << at_start;
+    for (std::size_t k = 1; k < points.size(); ++k)
+      EXPECT_GT((points[k].x - points[k - 1].x) * (at_start ? -1 : 1), 0) << at_start;
+    std::reverse(folded.points.begin(), folded.points.end());
+  }
+}
+
+TEST(Ends, AHookThatWasDrawnStays) {
+  const std::vector<Vec2> hook{{20, 30}, {130, 30}, {136, 36}, {130, 42}, {118, 42}};
+  Image image = blank(160, 80);
+  paint(image, hook, kWidth);
+  const Chain drawn = chain_along(hook, kWidth);
+  EXPECT_NEAR(length_of(reach_ends({{}, {drawn}}, ink_of(image), kEnds).chains[0]), length_of(drawn), 3);
+}
+
 TEST(Ends, EndsAtJunctionsAndClosedChainsAreLeftAlone) {
   Image image = blank(200, 200);
   paint(image, {{20, 100}, {180, 100}}, kWidth);

@@ -108,6 +108,8 @@ TEST_P(EachOption, ValidateFindsAValueSetPastTheTable) {
       options.** preset = static_cast<Preset>(enumerator);
     if (const auto* fills = std::get_if<FillMode Options::*>(&GetParam().member))
       options.** fills = static_cast<FillMode>(enumerator);
+    if (const auto* bundles = std::get_if<BundleMode Options::*>(&GetParam().member))
+      options.** bundles = static_cast<BundleMode>(enumerator);
     EXPECT_THROW(validate(options), Error) << value;
   }
 }
@@ -165,6 +167,7 @@ TEST(OptionTable, HasTheConstantsOfThePaper) {
   EXPECT_EQ(text("preset"), "auto");
   EXPECT_EQ(text("threshold"), "auto");
   EXPECT_EQ(text("fills"), "layer");
+  EXPECT_EQ(text("bundles"), "auto");
 }
 
 TEST(OptionTable, PresetsHaveNames) {
@@ -183,7 +186,13 @@ TEST(OptionTable, NamesAreThoseOfTheEnumerators) {
     set_option(options, option_row("fills"), name);
     EXPECT_EQ(options.fills, mode);
   }
+  for (const auto& [name, mode] :
+       {std::pair{"join", BundleMode::join}, {"keep", BundleMode::keep}, {"auto", BundleMode::automatic}}) {
+    set_option(options, option_row("bundles"), name);
+    EXPECT_EQ(options.bundles, mode);
+  }
   EXPECT_EQ(accepted_values(option_row("fills")), "layer, drop or trace");
+  EXPECT_EQ(accepted_values(option_row("bundles")), "auto, join or keep");
   EXPECT_EQ(accepted_values(option_row("preset")), "auto, clean or rough");
 }
 

@@ -144,7 +144,7 @@ TEST(Project, ReadsBackAllThatIsWritten) {
 TEST(Project, EveryOptionThatIsNoDefaultReadsBack) {
   for (const OptionRow& row : option_table()) {
     Project project;
-    const std::map<std::string_view, std::string> words = {{"preset", "clean"}, {"fills", "drop"}};
+    const std::map<std::string_view, std::string> words = {{"preset", "clean"}, {"fills", "drop"}, {"bundles", "keep"}};
     set_option(project.options, row, words.contains(row.name) ? words.at(row.name) : shortest(row.most));
     ASSERT_FALSE(is_default(project.options, row)) << row.name;
     const Project after = parse_project(project_text(project), "p.json");

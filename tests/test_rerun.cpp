@@ -23,6 +23,8 @@ Image drawing() {
   paint(image, {{20, 25}, {45, 55}}, 4);
   paint(image, circle({97, 42}, 22), 3.4);
   paint(image, {{97, 42}, {97, 42}}, 18);
+  paint(image, {{66, 4}, {108, 4}}, 4);
+  paint(image, {{84, 11}, {126, 11}}, 4);
   return image;
 }
 
@@ -31,6 +33,7 @@ std::string other_value(std::string_view name) {
   static const std::pair<std::string_view, const char*> kValues[] = {{"preset", "rough"},
                                                                      {"threshold", "60"},
                                                                      {"fills", "trace"},
+                                                                     {"bundles", "join"},
                                                                      {"reach", "0.5"},
                                                                      {"mesh-size", "0.6"},
                                                                      {"degenerate-angle", "80"},
@@ -119,6 +122,8 @@ std::vector<std::vector<double>> numbers_of(const Stages& s) {
   of(Stage::ink).add(s.fills.region.data);
   of(Stage::ink).add(s.ink.mask.data);
   of(Stage::ink).add(s.ink.stroke_width);
+  of(Stage::bundles).add(s.bundles.slits.data);
+  of(Stage::bundles).add(s.bundles.count);
   of(Stage::band).add(s.mesh.points);
   of(Stage::band).add(s.mesh.faces);
   of(Stage::band).add(s.mesh.scale);

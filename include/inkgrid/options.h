@@ -10,6 +10,9 @@ enum class Preset { automatic, clean, rough };
 // What becomes of filled areas: outlines in a layer of their own, nothing, or strokes like all ink.
 enum class FillMode { layer, drop, trace };
 
+// Strokes drawn side by side for one line: joined in rough drawings, joined, or kept apart.
+enum class BundleMode { automatic, join, keep };
+
 struct Options {
   Preset preset = Preset::automatic;
   std::optional<double> threshold;  // grey level 0..255; unset: chosen from the drawing (section 5)
@@ -17,6 +20,7 @@ struct Options {
   std::optional<double> spacing;    // lambda, strokes; unset: from the preset (section 6.2)
 
   FillMode fills = FillMode::layer;
+  BundleMode bundles = BundleMode::automatic;
 
   double tolerance = 0.12;  // of the curve fit, strokes (section 6.3 takes the reach)
   double mesh_size = 0.25;  // largest circumdiameter of a triangle, strokes (section 5)
