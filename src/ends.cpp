@@ -5,12 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "arrival.h"
 #include "base/sample.h"
 #include "ownership.h"
 #include "polyline.h"
 
 namespace inkgrid {
 namespace {
+
+constexpr double kAligned = 0.97;  // cosine of 14 degrees
 
 // One end of a chain.
 struct End {
@@ -56,11 +59,12 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
   const Vec2 tip = chain.points[end_index(chain, end.at_start)];
   const Vec2 direction = outward(chain, end.at_start, chain.width);
   const auto lengths = lengths_along(chain.points);
-  double paper = 0;
-  for (double t = 0; t < options.reach; t += 0.5) {
+  double paper = 0, all_paper = 0;
+  for (double t = 0; t < options.blot; t += 0.5) {
     const Vec2 q = tip + t * direction;
     paper = on_ink(ink, q) ? 0 : paper + 0.5;
-    if (paper > options.bridge) return std::nullopt;
+    all_paper += on_ink(ink, q) ? 0 : 0.5;
+    if (paper > options.bridge || (t >= options.reach && all_paper > 0)) return std::nullopt;
     const int owner = nearest(ownership.owner, q, -1);
     if (owner < 0) continue;
     const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
@@ -155,16 +159,6 @@ struct Facing {
   double distance = 0;
 };
 
-bool ink_between(const Ink& ink, Vec2 p, Vec2 q, double bridge) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(2 * norm(q - p))));
-  double paper = 0;
-  for (int k = 0; k <= steps; ++k) {
-    paper = on_ink(ink, lerp(p, q, static_cast<double>(k) / steps)) ? 0 : paper + 0.5;
-    if (paper > bridge) return false;
-  }
-  return true;
-}
-
 std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
   struct Tip {
     End end;
@@ -179,16 +173,21 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
     }
   std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
   std::vector<Facing> pairs;
+  const double farthest = options.reach + options.gap;
   for (std::size_t i = 0; i < tips.size(); ++i)
-    for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= options.reach; ++j) {
+    for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= farthest; ++j) {
       const Vec2 way = tips[j].point - tips[i].point;
       const double distance = norm(way);
-      if (distance > options.reach || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
+      if (distance > farthest || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
       // Ends of one short chain face each other too.
       if (tips[i].end.chain == tips[j].end.chain &&
           lengths_along(chains.chains[static_cast<std::size_t>(tips[i].end.chain)].points).back() < 3 * options.reach)
         continue;
-      if (ink_between(ink, tips[i].point, tips[j].point, options.bridge)) pairs.push_back({tips[i].end, tips[j].end, distance});
+      const bool aligned =
+          dot(tips[i].direction, way) > kAligned * distance && dot(tips[j].direction, way) < -kAligned * distance;
+      const double paper = aligned ? std::max(options.gap, options.bridge) : options.bridge;
+      if (distance > options.reach + (aligned ? options.gap : 0)) continue;
+      if (over_ink(ink.mask, tips[i].point, tips[j].point, paper)) pairs.push_back({tips[i].end, tips[j].end, distance});
     }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Facing& s, const Facing& t) { return s.distance < t.distance; });
   return pairs;
@@ -242,6 +241,27 @@ void unfold(Chain& chain, bool at_start, double width) {
 }
 
 }  // namespace
+
+Chains straightened_ends(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double longest) {
+  Chains chains{std::move(junctions), {}};
+  for (const auto& ridge : ridges) {
+    const bool loose = is_free(ridge.chain, true) && is_free(ridge.chain, false);
+    if (loose && ridge.chain.confirmed == 0 && lengths_along(ridge.chain.points).back() < longest) continue;
+    chains.chains.push_back(ridge.chain);
+    Chain& chain = chains.chains.back();
+    const auto lengths = lengths_along(chain.points);
+    for (const bool at_start : {true, false}) {
+      const Arrival arrival = arrival_at(ridge, at_start);
+      if (!is_free(chain, at_start) || !arrival.known || arrival.last == 0) continue;
+      const auto last = static_cast<std::size_t>(arrival.last);
+      const double unsaid = at_start ? lengths[last] : lengths.back() - lengths[lengths.size() - 1 - last];
+      if (unsaid > longest || unsaid + 3 * chain.width > lengths.back()) continue;
+      cut_back(chain, at_start, unsaid + chain.width);
+      append(chain, at_start, arrival.point);
+    }
+  }
+  return chains;
+}
 
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   for (const auto& pair : facing_ends(chains, ink, options)) {

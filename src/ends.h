@@ -6,13 +6,20 @@
 
 #include "chains.h"
 #include "fills.h"
+#include "ridge.h"
 
 namespace inkgrid {
 
 struct EndOptions {
   double reach = 6;   // how far an end may be from the chain it runs into, px
+  double blot = 6;    // the same over nothing but ink: how long two strokes of a sharp fork share it, px
   double bridge = 1;  // paper narrower than this does not end a stroke, px
+  double gap = 0;     // the same between ends in line with each other, px
 };
+
+// The chains, of which free ends that the ink does not confirm, up to `longest` px, are cut off, and what
+// is bent by them straight; short ones of which the ink confirms nothing are dropped.
+Chains straightened_ends(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double longest);
 
 // Free ends that face each other within `reach` over ink are joined half way; those that passed each other are cut back first.
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/at.h"
+#include "base/sample.h"
 
 namespace inkgrid {
 namespace {
@@ -217,6 +218,17 @@ Ink measure_ink(Binarisation binarisation) {
   ink.centre_distance = normalized_centre_distance(ink.depth);
   ink.stroke_width = average_stroke_width(ink.depth);
   return ink;
+}
+
+bool over_ink(const Raster<std::uint8_t>& mask, Vec2 from, Vec2 to, double bridge) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * norm(to - from))));
+  double paper = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const Vec2 p = lerp(from, to, static_cast<double>(k) / steps);
+    paper = nearest(mask, p, std::uint8_t{0}) ? 0 : paper + 0.5;
+    if (paper > bridge) return false;
+  }
+  return true;
 }
 
 }  // namespace inkgrid

@@ -38,4 +38,7 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius);
 // The image's border counts as a continuation of what lies on it, not as background.
 Ink measure_ink(Binarisation binarisation);
 
+// Whether no more than `bridge` px of paper at a time lie on the straight way.
+bool over_ink(const Raster<std::uint8_t>& mask, Vec2 from, Vec2 to, double bridge);
+
 }  // namespace inkgrid

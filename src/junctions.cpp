@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "arrival.h"
+#include "ink.h"
 
 namespace inkgrid {
 namespace {
@@ -16,7 +17,8 @@ struct Branch {
   Arrival arrival;
 };
 
-Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, double farthest) {
+Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, const Raster<std::uint8_t>& ink,
+                   const JunctionOptions& options) {
   double a = kStay, b = 0, c = kStay;
   Vec2 right = kStay * old;
   int known = 0;
@@ -34,7 +36,8 @@ Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, double farthes
   const double determinant = a * c - b * b;
   const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
   const double moved = norm(found - old);
-  return moved <= farthest ? found : lerp(old, found, farthest / moved);
+  if (moved <= options.near || (moved <= options.blot && over_ink(ink, old, found, 1))) return found;
+  return lerp(old, found, options.near / moved);
 }
 
 // Shifts the unconfirmed end of the chain, most at its end, so that it ends at `target`.
@@ -49,7 +52,8 @@ void bend_end(Chain& chain, const Branch& branch, Vec2 target) {
 
 }  // namespace
 
-Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double farthest) {
+Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+                        const JunctionOptions& options) {
   std::vector<std::vector<Branch>> branches(junctions.size());
   for (int c = 0; c < static_cast<int>(ridges.size()); ++c) {
     const auto& ridge = ridges[static_cast<std::size_t>(c)];
@@ -59,7 +63,7 @@ Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> juncti
       branches[static_cast<std::size_t>(ridge.chain.end_junction)].push_back({c, false, arrival_at(ridge, false)});
   }
   for (std::size_t j = 0; j < junctions.size(); ++j) {
-    junctions[j] = meeting_point(branches[j], junctions[j], farthest);
+    junctions[j] = meeting_point(branches[j], junctions[j], ink, options);
     for (const auto& branch : branches[j]) bend_end(ridges[static_cast<std::size_t>(branch.chain)].chain, branch, junctions[j]);
   }
   Chains chains{std::move(junctions), {}};

@@ -10,8 +10,14 @@
 
 namespace inkgrid {
 
+struct JunctionOptions {
+  double near = 6;   // how far a junction may move, px
+  double blot = 25;  // the same over ink: strokes of a sharp fork share it for long
+};
+
 // Moves each junction to the point nearest to the lines along which its branches arrive, and bends the ends of the chains into
-// it. A junction never moves by more than `farthest` px.
-Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double farthest);
+// it.
+Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+                        const JunctionOptions& options);
 
 }  // namespace inkgrid

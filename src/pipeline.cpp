@@ -25,7 +25,10 @@ namespace {
 
 constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other share their ink
 constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
-constexpr double kTipLength = 2.5;   // of the pen: that of the tip of a corner of 25 degrees
+constexpr double kLongestRung = 3;   // of the slimmed stroke
+constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
+constexpr double kWidestGap = 5;     // px: pictures break strokes by so much
+constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
@@ -144,21 +147,22 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   const double width = ink.stroke_width;
   const Resolution resolution = resolution_of(spacing, width, pen);
   const RidgeOptions ridge = ridge_options(width, reach, spacing);
-  const EndOptions ends{1.5 * width, std::max(1.0, 0.5 * reach * width)};
-  const auto refined = [](const Chains& from, std::vector<RidgeChain> ridges) {
-    Chains to{from.junctions, {}};
-    for (auto& r : ridges) to.chains.push_back(std::move(r.chain));
-    return to;
-  };
-  Chains covered = drop_spurs(drop_uncovered(chains, ink, bins, std::max(1.0, reach * width)), resolution.raw_spur);
+  const CornerOptions corners{kLongestBlot * pen, kTipMiss * pen};
+  const EndOptions ends{1.5 * width, kLongestBlot * pen, std::max(1.0, 0.5 * reach * width), std::min(pen, kWidestGap)};
+  const double bridge = std::max(1.0, reach * width);
+  Chains covered = drop_rungs(drop_uncovered(chains, ink, bins, bridge), ink, kLongestRung * width, bridge);
+  if (spacing < 1) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
+  covered = drop_spurs(std::move(covered), resolution.raw_spur);
   covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
-  Chains attached = attach_ends(refined(covered, follow_ridges(covered.chains, ink, ridge)), ink, ends);
+  ArmsJoined arms{follow_ridges(covered.chains, ink, ridge), covered.junctions};
+  if (spacing < 1) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
+  covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), kTrimmed * pen);
+  Chains attached = drop_blot_loops(attach_ends(std::move(covered), ink, ends), ink);
   attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
   attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);
   attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
-  const int junctions = static_cast<int>(attached.junctions.size());
-  auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), junctions, kTipLength * pen, kTipMiss * pen);
-  Chains located = locate_junctions(std::move(ridges), attached.junctions, 1.5 * pen);
+  auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), attached.junctions, ink.mask, corners);
+  Chains located = locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, kLongestBlot * pen});
   located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
   located = drop_spurs(std::move(located), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.

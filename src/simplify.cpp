@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/sample.h"
 #include "base/union_find.h"
 #include "ends.h"
 #include "ownership.h"
@@ -12,6 +13,8 @@
 namespace inkgrid {
 namespace {
 
+constexpr double kLeastBin = 1.5;    // px, the diagonal of a pixel
+constexpr double kPaperStep = 0.25;  // px
 constexpr double kStraightOn = 0.8;  // cosine of the angle between a stroke and what goes on from it
 
 double length_of(const Chain& chain) {
@@ -100,6 +103,11 @@ void collapse_links(Chains& chains, double link, double bare_link) {
     }
 }
 
+// A chain has no more bins than pixels can fill.
+int bins_of(double length, int most) {
+  return std::clamp(static_cast<int>(length / kLeastBin), 1, most);
+}
+
 }  // namespace
 
 Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
@@ -113,13 +121,14 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
     const auto s = ownership.samples[static_cast<std::size_t>(owner)];
     const auto& l = lengths[static_cast<std::size_t>(s.chain)];
     const double parameter = l.back() > 0 ? l[static_cast<std::size_t>(s.point)] / l.back() : 0;
-    const int bin = std::min(bins - 1, static_cast<int>(parameter * bins));
+    const int own = bins_of(l.back(), bins), bin = std::min(own - 1, static_cast<int>(parameter * own));
     ++histogram[static_cast<std::size_t>(s.chain * bins + bin)];
   }
   std::vector<Chain> kept;
   for (std::size_t c = 0; c < chains.chains.size(); ++c) {
     const auto begin = histogram.begin() + static_cast<std::ptrdiff_t>(c) * bins;
-    if (std::find(begin, begin + bins, 0) == begin + bins) kept.push_back(std::move(chains.chains[c]));
+    const auto end = begin + bins_of(lengths[c].back(), bins);
+    if (std::find(begin, end, 0) == end) kept.push_back(std::move(chains.chains[c]));
   }
   chains.chains = std::move(kept);
   return dissolve_junctions(std::move(chains));
@@ -222,6 +231,96 @@ Chains drop_spurs(Chains chains, double share) {
                             [&](Vec2 p) { return bins.has_companion(p, {}, static_cast<int>(i), alive, distance, 0); });
   }
   return kept_chains(std::move(chains), alive);
+}
+
+namespace {
+
+// First point and point after the last of each stretch of more than `longest` px on paper; the points are kPaperStep apart.
+std::vector<std::pair<std::size_t, std::size_t>> paper_stretches(const std::vector<Vec2>& points, const Ink& ink,
+                                                                 double longest) {
+  std::vector<std::pair<std::size_t, std::size_t>> stretches;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k <= points.size(); ++k) {
+    if (k < points.size() && !nearest(ink.mask, points[k], std::uint8_t{0})) continue;
+    if (static_cast<double>(k - begin) * kPaperStep > longest) stretches.emplace_back(begin, k);
+    begin = k + 1;
+  }
+  return stretches;
+}
+
+}  // namespace
+
+Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge) {
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
+  for (std::size_t i = 0; i < chains.chains.size(); ++i) {
+    const Chain& c = chains.chains[i];
+    if (std::max(c.start_junction, c.end_junction) < 0 || length_of(c) > longest) continue;
+    alive[i] = paper_stretches(resampled(c.points, kPaperStep), ink, bridge).empty();
+  }
+  return kept_chains(std::move(chains), alive);
+}
+
+namespace {
+
+bool is_loop(const Chain& chain) {
+  return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
+}
+
+// Whether the line through the middles of a row of pixels finds paper inside the loop (even-odd).
+bool encloses_paper(const Chain& loop, const Ink& ink) {
+  double low = loop.points.front().y, high = low;
+  for (const Vec2 p : loop.points) low = std::min(low, p.y), high = std::max(high, p.y);
+  for (int y = std::max(0, static_cast<int>(low)); y <= std::min(ink.height() - 1, static_cast<int>(high)); ++y) {
+    const double level = y + 0.5;
+    std::vector<double> crossings;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+      if ((a.y > level) != (b.y > level)) crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+      for (int x = std::max(0, static_cast<int>(std::ceil(crossings[i] - 0.5)));
+           x < std::min<double>(ink.width(), crossings[i + 1] - 0.5); ++x)
+        if (!ink.mask(x, y)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Chains drop_blot_loops(Chains chains, const Ink& ink) {
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
+  for (std::size_t i = 0; i < chains.chains.size(); ++i)
+    alive[i] = !is_loop(chains.chains[i]) || encloses_paper(chains.chains[i], ink);
+  return kept_chains(std::move(chains), alive);
+}
+
+Chains cut_on_paper(Chains chains, const Ink& ink, double longest) {
+  std::vector<Chain> kept;
+  for (auto& chain : chains.chains) {
+    const auto points = resampled(chain.points, kPaperStep);
+    const auto stretches = paper_stretches(points, ink, longest);
+    if (stretches.empty()) {
+      kept.push_back(std::move(chain));
+      continue;
+    }
+    Chain piece = chain;
+    piece.closed = false;
+    std::size_t from = 0;
+    const auto keep = [&](std::size_t to, bool last) {
+      piece.points.assign(points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to));
+      piece.end_junction = last ? chain.end_junction : -1;
+      if (piece.points.size() > 1) kept.push_back(piece);
+      piece.start_junction = -1;
+    };
+    for (const auto& [begin, end] : stretches) {
+      keep(begin, false);
+      from = end;
+    }
+    keep(points.size(), true);
+  }
+  chains.chains = std::move(kept);
+  return dissolve_junctions(std::move(chains));
 }
 
 namespace {

@@ -15,6 +15,16 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach);
 // dropped.
 Chains drop_doubles(Chains chains, double distance);
 
+// Chains on a junction, up to `longest` px, that cross more than `bridge` px of paper are dropped: they lead from one stroke to
+// the next where the band closed the paper between them.
+Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge);
+
+// Loops without paper inside are dropped: there is but a blot.
+Chains drop_blot_loops(Chains chains, const Ink& ink);
+
+// Takes out of all chains what lies on more than `longest` px of paper: it runs along a slit between two strokes.
+Chains cut_on_paper(Chains chains, const Ink& ink, double longest);
+
 // Chains with a free end, hanging on a junction or on nothing, and nowhere further than `share` times the widest of that
 // junction's branches (else than `share` of their own width) from other chains, are dropped: their ink is that of the others.
 Chains drop_spurs(Chains chains, double share);

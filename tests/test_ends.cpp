@@ -18,7 +18,7 @@ using testing::paint;
 
 constexpr double kWidth = 6;
 constexpr RidgeOptions kRidge{1, 1.8, 3};
-constexpr EndOptions kEnds{1.5 * kWidth, 1};
+constexpr EndOptions kEnds{1.5 * kWidth, 1.5 * kWidth, 1, 0};
 
 double length_of(const Chain& chain) {
   return lengths_along(chain.points).back();
@@ -43,7 +43,8 @@ Chains located_star(Vec2 centre, const std::vector<double>& degrees) {
       std::swap(chains.back().start_junction, chains.back().end_junction);
     }
   }
-  return locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, 1.5 * kWidth);
+  return locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, ink_of(image).mask,
+                          {1.5 * kWidth, 1.5 * kWidth});
 }
 
 void expect_located(const std::vector<double>& degrees, double tolerance) {
@@ -72,7 +73,7 @@ TEST(Junctions, NoneMovesFartherThanAllowed) {
     paint(image, {centre, centre + 70.0 * towards(angle)}, kWidth);
     chains.push_back(chain_along({guess, centre + 70.0 * towards(angle)}, kWidth, 0, -1));
   }
-  const Chains held = locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, 0.5);
+  const Chains held = locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, ink_of(image).mask, {0.5, 0.5});
   EXPECT_LE(norm(held.junctions[0] - guess), 0.5 + 1e-9);
   expect_consistent(held);
 }
@@ -165,6 +166,39 @@ TEST(Ends, TwoEndsInOneStrokeBecomeOneChain) {
   ASSERT_EQ(joined.chains.size(), 1u);
   EXPECT_TRUE(joined.junctions.empty());
   EXPECT_NEAR(length_of(joined.chains[0]), 160, 1e-6);
+}
+
+// Two strokes in line, but for `aside` px and `gap` px of paper between them.
+Chains gapped(Image& image, double gap, double aside) {
+  const double half = 0.5 * (gap + kWidth);
+  const std::vector<Vec2> a{{20, 50}, {100 - half, 50}}, b{{180, 50 + aside}, {100 + half, 50 + aside}};
+  paint(image, a, kWidth);
+  paint(image, b, kWidth);
+  return {{}, {chain_along(a, kWidth), chain_along(b, kWidth)}};
+}
+
+TEST(Ends, GapsInALineAreBridgedAndOthersAreNot) {
+  const auto count = [](double gap, double aside, double allowed) {
+    Image image = blank(200, 100);
+    const Chains apart = gapped(image, gap, aside);
+    EndOptions options = kEnds;
+    options.gap = allowed;
+    return join_facing_ends(apart, ink_of(image), options).chains.size();
+  };
+  for (const double gap : {2.0, 3.0, 4.0}) EXPECT_EQ(count(gap, 0, 5), 1u) << gap;
+  EXPECT_EQ(count(4, 0, 0), 2u);
+  EXPECT_EQ(count(9, 0, 5), 2u);
+  EXPECT_EQ(count(4, 5, 5), 2u);
+}
+
+TEST(Ends, WhatTheInkDoesNotConfirmOfAnEndIsCutOff) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {120, 50}}, kWidth);
+  const auto ridges = follow_ridges({chain_along({{20, 50}, {118, 50}, {128, 58}}, kWidth)}, ink_of(image), kRidge);
+  const Chains straight = straightened_ends(ridges, {}, 30);
+  ASSERT_EQ(straight.chains.size(), 1u);
+  EXPECT_LT(straight.chains[0].points.back().x, 126);
+  for (const Vec2 p : straight.chains[0].points) EXPECT_NEAR(p.y, 50, 1);
 }
 
 TEST(Ends, AnEndOnALoopLeavesTheLoopWhole) {

@@ -171,5 +171,43 @@ TEST(Simplify, DroppingAnUncoveredBranchDissolvesItsJunction) {
   EXPECT_NEAR(length_of(kept.chains[0]), 160, 1e-9);
 }
 
+TEST(Simplify, RungsOverPaperGoAndLinksOverInkStay) {
+  for (const bool linked : {false, true}) {
+    Image image = blank(200, 200);
+    const Vec2 a{100, 90}, b{100, 110};
+    for (const double y : {90.0, 110.0}) paint(image, {{20, y}, {180, y}}, kWidth);
+    if (linked) paint(image, {a, b}, kWidth);
+    const Chains drawn{{a, b},
+                       {chain_along({{20, 90}, a}, kWidth, -1, 0), chain_along({a, {180, 90}}, kWidth, 0, -1),
+                        chain_along({{20, 110}, b}, kWidth, -1, 1), chain_along({b, {180, 110}}, kWidth, 1, -1),
+                        chain_along({a, b}, kWidth, 0, 1)}};
+    const Chains kept = drop_rungs(drawn, ink_of(image), 30, 1);
+    EXPECT_EQ(kept.chains.size(), linked ? 5u : 2u);
+    EXPECT_EQ(kept.junctions.size(), linked ? 2u : 0u);
+    expect_consistent(kept);
+  }
+}
+
+TEST(Simplify, LoopsAroundPaperStayAndLoopsInABlotGo) {
+  auto loop = chain_along(testing::circle({100, 100}, 10), kWidth);
+  loop.points.back() = loop.points.front();
+  loop.closed = true;
+  Image ring = blank(200, 200), blot = blank(200, 200);
+  paint(ring, loop.points, kWidth);
+  paint(blot, {{100, 100}, {100, 100}}, 40);
+  EXPECT_EQ(drop_blot_loops({{}, {loop}}, ink_of(ring)).chains.size(), 1u);
+  EXPECT_EQ(drop_blot_loops({{}, {loop}}, ink_of(blot)).chains.size(), 0u);
+}
+
+TEST(Simplify, WhatRunsOverPaperIsTakenOut) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {80, 50}}, kWidth);
+  paint(image, {{120, 50}, {180, 50}}, kWidth);
+  const Chains cut = cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), kWidth);
+  ASSERT_EQ(cut.chains.size(), 2u);
+  EXPECT_NEAR(length_of(cut.chains[0]) + length_of(cut.chains[1]), 126, 2);
+  EXPECT_EQ(cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), 40).chains.size(), 1u);
+}
+
 }  // namespace
 }  // namespace inkgrid
