@@ -7,13 +7,14 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kLongest = 4;      // strokes of which the line is told
-constexpr double kShrink = 0.7;     // of the length that no parabola explained
-constexpr double kBent = 0.35;      // strokes: beside what is not confirmed the ridge is bent by it
-constexpr double kStraight = 0.02;  // strokes: lesser sagittas are straight
-constexpr double kNoise = 0.1;      // px, of points from a parabola
-constexpr double kUnsure = 6;       // strokes that may have paper on one side only, as beside the other arm of a fork
-constexpr double kParallel = 0.05;  // sine
+constexpr double kLongest = 4;        // strokes of which the line is told
+constexpr double kShrink = 0.7;       // of the length that no parabola explained
+constexpr double kBent = 0.35;        // strokes: beside what is not confirmed the ridge is bent by it
+constexpr double kStraight = 0.02;    // strokes: lesser sagittas are straight
+constexpr double kNoise = 0.2;        // px, of points from a parabola
+constexpr double kUnsure = 6;         // strokes that may have paper on one side only, as beside the other arm of a fork
+constexpr double kStraightOn = 0.94;  // cosine of 20 degrees: how straight such a part is
+constexpr double kParallel = 0.05;    // sine
 
 struct Sample {
   double x, y, weight;
@@ -64,41 +65,67 @@ std::vector<Sample> samples_of(const RidgeChain& ridge, int k, int far, int step
 
 }  // namespace
 
-Arrival arrival_from(const RidgeChain& ridge, int first, bool forward) {
-  const auto& points = ridge.chain.points;
-  const int n = static_cast<int>(points.size()), step = forward ? 1 : -1;
-  const auto at = [&](int k) { return points[static_cast<std::size_t>(k)]; };
-  const auto inside = [&](int k) { return k >= 0 && k < n; };
-  const double width = std::max(2.0, ridge.chain.width);
-  const auto weight = [&](int k) { return ridge.sections[static_cast<std::size_t>(k)].weight; };
-  int k = first;
-  while (inside(k) && weight(k) <= 0) k += step;
-  int sure = k;
-  while (inside(sure) && weight(sure) < 1 && norm(at(sure) - at(k)) < kUnsure * width) sure += step;
-  if (inside(sure + 2 * step) && weight(sure) == 1) k = sure;
-  if (!inside(k + 2 * step)) return {};
-  const auto within = [&](int from, double span) {
-    int far = from + step;
-    while (inside(far + step) && norm(at(far) - at(from)) < span) far += step;
-    return far;
-  };
-  const int last = k, bent = within(k, kBent * width), from = inside(bent + 2 * step) ? bent : k;
-  Arrival arrival{true, at(last), {}, std::abs(last - first)};
-  for (double span = kLongest * width;; span *= kShrink) {
-    const bool shortest = span <= width;
-    const int far = within(from, std::max(span, width));
-    const Vec2 axis = unit(at(last) - at(far));
-    arrival.direction = axis;
-    const auto samples = samples_of(ridge, from, far, step, at(last), axis);
-    if (samples.size() < 5) return arrival;
-    const double length = samples.front().x - samples.back().x;
-    auto curve = fitted_parabola(samples, false);
-    if (!shortest && spread_about(samples, curve) > kStraight * width + kNoise) continue;
-    if (shortest || std::abs(curve[2]) * length * length / 4 < kStraight * width + kNoise) curve = fitted_parabola(samples, true);
-    arrival.point += curve[0] * quarter_turn(axis);
-    arrival.direction = unit(axis + curve[1] * quarter_turn(axis));
-    return arrival;
+namespace {
+
+// A chain seen from one of its ends, or from a place on it.
+class View {
+ public:
+  View(const RidgeChain& ridge, int first, bool forward)
+      : ridge_(ridge), first_(first), step_(forward ? 1 : -1), width_(std::max(2.0, ridge.chain.width)) {}
+
+  Arrival arrival() const {
+    int k = first_;
+    while (inside(k) && weight(k) <= 0) k += step_;
+    if (!inside(k + 2 * step_)) return {};
+    int sure = k;
+    while (inside(sure) && weight(sure) < 1 && norm(at(sure) - at(k)) < kUnsure * width_) sure += step_;
+    if (sure == k || !inside(sure + 2 * step_) || weight(sure) < 1) return line_from(k);
+    const Arrival sure_line = line_from(sure);
+    const bool straight = dot(sure_line.direction, unit(at(k) - at(sure))) > kStraightOn;
+    return straight ? sure_line : line_from(k);
   }
+
+ private:
+  Vec2 at(int k) const { return ridge_.chain.points[static_cast<std::size_t>(k)]; }
+  double weight(int k) const { return ridge_.sections[static_cast<std::size_t>(k)].weight; }
+  bool inside(int k) const { return k >= 0 && k < static_cast<int>(ridge_.chain.points.size()); }
+
+  int within(int from, double span) const {
+    int far = from + step_;
+    while (inside(far + step_) && norm(at(far) - at(from)) < span) far += step_;
+    return far;
+  }
+
+  Arrival line_from(int last) const {
+    const int bent = within(last, kBent * width_), from = inside(bent + 2 * step_) ? bent : last;
+    Arrival arrival{true, at(last), {}, std::abs(last - first_)};
+    for (double span = kLongest * width_;; span *= kShrink) {
+      const bool shortest = span <= width_;
+      const int far = within(from, std::max(span, width_));
+      const Vec2 axis = unit(at(last) - at(far));
+      arrival.direction = axis;
+      const auto samples = samples_of(ridge_, from, far, step_, at(last), axis);
+      if (samples.size() < 5) return arrival;
+      const double length = samples.front().x - samples.back().x, noise = kStraight * width_ + kNoise;
+      auto curve = fitted_parabola(samples, false);
+      if (!shortest && spread_about(samples, curve) > noise) continue;
+      if (shortest || std::abs(curve[2]) * length * length / 4 < noise) curve = fitted_parabola(samples, true);
+      arrival.point += curve[0] * quarter_turn(axis);
+      arrival.direction = unit(axis + curve[1] * quarter_turn(axis));
+      return arrival;
+    }
+  }
+
+  const RidgeChain& ridge_;
+  int first_;
+  int step_;
+  double width_;
+};
+
+}  // namespace
+
+Arrival arrival_from(const RidgeChain& ridge, int first, bool forward) {
+  return View(ridge, first, forward).arrival();
 }
 
 Arrival arrival_at(const RidgeChain& ridge, bool at_start) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kGoesOn = 0.4;      // cosine of the angle between a side and the tip: more is a branch
 constexpr double kSharp = 0.87;      // cosine of the least turn of a corner, 30 degrees
+constexpr double kArms = 0.17;       // cosine of the widest angle between arms that share a blot, 80 degrees
 constexpr double kSideError = 0.06;  // strokes by which the line of a side may miss
 constexpr double kMitre = 2;         // strokes
 constexpr double kIsolated = 0.5;    // strokes: confirmed parts shorter than this between others that are not are none
@@ -209,7 +210,8 @@ class Corners {
     const Arrival from_a = arrival_at(ridge(a.chain), a.at_start), from_b = arrival_at(ridge(b.chain), b.at_start);
     const auto tip = corner_of(from_a, from_b, width, ink_, options_);
     if (!tip) return std::nullopt;
-    const bool fits = at_end_of_ink ? ends_behind(ink_, *tip, from_a, from_b, width, options_) : !passed_by(*tip, width);
+    const bool fits = at_end_of_ink ? ends_behind(ink_, *tip, from_a, from_b, width, options_)
+                                    : dot(from_a.direction, from_b.direction) > kArms && !passed_by(*tip, width);
     return fits ? tip : std::nullopt;
   }
 

@@ -9,6 +9,7 @@
 namespace inkgrid {
 namespace {
 
+constexpr double kOnLine = 0.3;  // strokes
 constexpr double kStay = 0.005;  // weight of the junction's old place against each branch's line
 
 struct Branch {
@@ -45,6 +46,12 @@ void bend_end(Chain& chain, const Branch& branch, Vec2 target) {
   const int n = static_cast<int>(chain.points.size());
   const auto index = [&](int k) { return static_cast<std::size_t>(branch.at_start ? k : n - 1 - k); };
   const int last = std::min(n - 1, std::max(1, branch.arrival.known ? branch.arrival.last : n / 2));
+  // What the ink does not confirm says less than the line that leads from there to the junction.
+  const Vec2 from = chain.points[index(last)], way = target - branch.arrival.point;
+  if (branch.arrival.known && std::abs(cross(branch.arrival.direction, way)) < kOnLine * chain.width) {
+    for (int k = 0; k < last; ++k) chain.points[index(k)] = lerp(target, from, static_cast<double>(k) / last);
+    return;
+  }
   const Vec2 shift = target - chain.points[index(0)];
   for (int k = 0; k < last; ++k) chain.points[index(k)] += (1 - static_cast<double>(k) / last) * shift;
   chain.points[index(0)] = target;

@@ -27,7 +27,7 @@ constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other 
 constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
 constexpr double kLongestRung = 3;   // of the slimmed stroke
 constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
-constexpr double kWidestGap = 5;     // px: pictures break strokes by so much
+constexpr double kWidestGap = 6;     // px: pictures break strokes by so much
 constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
@@ -148,15 +148,17 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   const Resolution resolution = resolution_of(spacing, width, pen);
   const RidgeOptions ridge = ridge_options(width, reach, spacing);
   const CornerOptions corners{kLongestBlot * pen, kTipMiss * pen};
-  const EndOptions ends{1.5 * width, kLongestBlot * pen, std::max(1.0, 0.5 * reach * width), std::min(pen, kWidestGap)};
+  const bool fine = spacing < 1;
+  const EndOptions ends{1.5 * width, fine ? kLongestBlot * pen : 1.5 * width, std::max(1.0, 0.5 * reach * width),
+                        std::min(pen, kWidestGap)};
   const double bridge = std::max(1.0, reach * width);
   Chains covered = drop_rungs(drop_uncovered(chains, ink, bins, bridge), ink, kLongestRung * width, bridge);
-  if (spacing < 1) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
+  if (fine) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
   covered = drop_spurs(std::move(covered), resolution.raw_spur);
   covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
   ArmsJoined arms{follow_ridges(covered.chains, ink, ridge), covered.junctions};
-  if (spacing < 1) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
-  covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), kTrimmed * pen);
+  if (fine) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
+  covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), fine ? kTrimmed * pen : 0);
   Chains attached = drop_blot_loops(attach_ends(std::move(covered), ink, ends), ink);
   attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
   attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);

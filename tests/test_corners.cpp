@@ -54,7 +54,7 @@ double distance_to_tip(const Chain& chain) {
 
 TEST(Corners, TheTipOfAnAcuteCornerIsNoBranch) {
   for (const double degrees : {20.0, 30.0, 45.0, 60.0}) {
-    const auto mended = open_corners(cut_corner(degrees, 10), {kTip}, all_ink(), {15, 3.6});
+    const auto mended = open_corners(cut_corner(degrees, 10), {kTip}, all_ink(), {25, 3.6});
     ASSERT_EQ(mended.size(), 1u) << degrees;
     EXPECT_EQ(mended[0].chain.start_junction, -1);
     EXPECT_EQ(mended[0].chain.end_junction, -1);

@@ -101,6 +101,13 @@ Image painted(const std::vector<Line>& lines, double pen, int width, int height,
   return image;
 }
 
+int free_ends(const Drawing& drawing) {
+  int ends = 0;
+  for (const Curve& curve : drawing.curves)
+    if (!curve.closed) ends += (curve.start_junction < 0) + (curve.end_junction < 0);
+  return ends;
+}
+
 // ---------------------------------------------------------------- ends
 
 class EachPenAndAngle : public ::testing::TestWithParam<std::tuple<double, int>> {};
@@ -119,7 +126,8 @@ TEST_P(EachPenAndAngle, EndsAreNotCutBack) {
   EXPECT_LT(distance_between({found}, {truth}), 0.15 * pen + 0.35);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ends, EachPenAndAngle, ::testing::Combine(::testing::Values(5.0, 12.0), ::testing::Range(0, 180, 15)));
+INSTANTIATE_TEST_SUITE_P(Ends, EachPenAndAngle,
+                         ::testing::Combine(::testing::Values(2.0, 5.0, 12.0), ::testing::Range(0, 180, 15)));
 
 // ---------------------------------------------------------------- round shapes
 
@@ -141,6 +149,28 @@ TEST_P(EachRadius, ACircleIsOneClosedCurveWithoutKinks) {
 
 INSTANTIATE_TEST_SUITE_P(Round, EachRadius, ::testing::Values(2, 2.5, 3, 5, 8, 15));
 
+TEST(Round, ASpiralIsOneCurveWithoutKinks) {
+  for (const double pen : {2.0, 4.0, 7.0}) {
+    SCOPED_TRACE(pen);
+    const double pitch = 4 * pen, turns = 3.25, first = 2.5 * pen;
+    const int size = static_cast<int>(2 * (first + pitch * turns) + 30);
+    Line truth;
+    for (int k = 0; k <= 400; ++k) {
+      const double angle = 2 * pi * turns * k / 400;
+      truth.push_back(Vec2{size / 2.0, size / 2.0} + polar(first + pitch * angle / (2 * pi), angle));
+    }
+    const Drawing drawing = traced(painted({truth}, pen, size, size));
+    EXPECT_EQ(drawing.curves.size(), 1u);
+    EXPECT_TRUE(drawing.junctions.empty());
+    EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.15 * pen + 0.35);
+    if (drawing.curves.size() != 1) continue;
+    const Turning turning = turning_of(points_of(drawing.curves[0]), pen, false);
+    EXPECT_NEAR(std::abs(turning.whole), 2 * pi * turns, 0.8);
+    EXPECT_LT(turning.absolute, 1.1 * 2 * pi * turns);
+    EXPECT_LT(turning.sharpest, 0.8);
+  }
+}
+
 // ---------------------------------------------------------------- junctions and corners
 
 class EachAngle : public ::testing::TestWithParam<std::tuple<double, int>> {};
@@ -153,7 +183,8 @@ TEST_P(EachAngle, AForkIsOneJunctionWhereTheStrokesMeet) {
   const std::vector<Line> truth{{fork - Vec2{10 * pen, 0}, fork},
                                 {fork, fork + polar(arm, degrees * kDegree / 2)},
                                 {fork, fork + polar(arm, -degrees * kDegree / 2)}};
-  const Drawing drawing = traced(painted(truth, pen, static_cast<int>(fork.x + arm + 20), static_cast<int>(2 * fork.y)));
+  const Drawing drawing =
+      traced(painted(truth, pen, static_cast<int>(fork.x + arm + 20), static_cast<int>(2 * fork.y)), Preset::clean);
   EXPECT_EQ(drawing.curves.size(), 3u);
   ASSERT_EQ(drawing.junctions.size(), 1u);
   EXPECT_LT(norm(drawing.junctions[0] - fork), pen * std::max(0.5, 15.0 / degrees)) << "of " << pen;
@@ -161,6 +192,24 @@ TEST_P(EachAngle, AForkIsOneJunctionWhereTheStrokesMeet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, EachAngle, ::testing::Combine(::testing::Values(3.0, 6.0), ::testing::Range(30, 65, 5)));
+
+class EachCorner : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(EachCorner, AnAcuteCornerIsSharpAndHasNoSpur) {
+  const auto [pen, degrees] = GetParam();
+  const double arm = 40 * pen;
+  const Vec2 tip{20 + 2 * pen, 20 * pen + 20};
+  const Line truth{tip + polar(arm, degrees * kDegree / 2), tip, tip + polar(arm, -degrees * kDegree / 2)};
+  const Drawing drawing =
+      traced(painted({truth}, pen, static_cast<int>(tip.x + arm + 20), static_cast<int>(2 * tip.y)), Preset::clean);
+  EXPECT_EQ(drawing.curves.size(), 1u);
+  EXPECT_EQ(free_ends(drawing), 2);
+  EXPECT_LT(distance(tip, lines_of(drawing)), 0.5 * pen) << "of " << pen;
+  EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.5 * pen + 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corners, EachCorner,
+                         ::testing::Combine(::testing::Values(3.0, 6.0), ::testing::Values(25, 30, 35, 40, 45, 50, 55, 60)));
 
 class EachStar : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
@@ -202,6 +251,19 @@ TEST_P(EachGap, CloseStrokesHaveNoRungs) {
 
 INSTANTIATE_TEST_SUITE_P(Gaps, EachGap, ::testing::Combine(::testing::Values(4.0, 7.0), ::testing::Values(0.7, 1.0)));
 
+TEST(Hatching, CrossedHasItsCrossingsOnly) {
+  const double pen = 3;
+  std::vector<Line> truth;
+  for (int k = 0; k < 5; ++k) {
+    truth.push_back({{20, 40.0 + 18 * k}, {140, 36.0 + 18 * k}});
+    truth.push_back({{40.0 + 18 * k, 20}, {44.0 + 18 * k, 140}});
+  }
+  const Drawing drawing = traced(painted(truth, pen, 160, 160));
+  EXPECT_EQ(drawing.junctions.size(), 25u);
+  EXPECT_EQ(drawing.curves.size(), 60u);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+}
+
 // ---------------------------------------------------------------- pens
 
 TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
@@ -227,6 +289,23 @@ TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
   }
 }
 
+// ---------------------------------------------------------------- gaps
+
+TEST(GapsInAStroke, AreBridged) {
+  for (const double pen : {3.0, 5.0})
+    for (double gap = 1; gap <= pen; ++gap) {
+      SCOPED_TRACE(std::to_string(pen) + " px, gap " + std::to_string(gap));
+      Image image = blank(260, 80);
+      paint(image, {{20, 30}, {240, 50}}, pen);
+      for (std::size_t y = 0; y < 80; ++y)
+        for (std::size_t x = 0; x < 260; ++x) {
+          const double along = static_cast<double>(x) + 0.5 - 130;
+          if (std::abs(along) < gap / 2) image.grey[y * 260 + x] = 255;
+        }
+      EXPECT_EQ(traced(image).curves.size(), 1u);
+    }
+}
+
 // ---------------------------------------------------------------- bad pictures
 
 // A loop, a line and a crossing.
@@ -250,6 +329,15 @@ TEST(BadPictures, WhiteOnBlack) {
   Image image = usual_image(4);
   for (auto& g : image.grey) g = static_cast<std::uint8_t>(255 - g);
   expect_usual(traced(image), 4);
+}
+
+TEST(BadPictures, StepsOfTwoTones) {
+  for (const double pen : {2.0, 3.0, 4.0, 7.0}) {
+    SCOPED_TRACE(pen);
+    Image image = usual_image(pen);
+    for (auto& g : image.grey) g = g < 128 ? 0 : 255;
+    expect_usual(traced(image), pen, 0.8);
+  }
 }
 
 TEST(BadPictures, BlocksOfAnEnlargedPicture) {
@@ -291,6 +379,22 @@ TEST(BadPictures, UnevenLight) {
     image.grey[k] = static_cast<std::uint8_t>(image.grey[k] * (1 - 0.5 * x * y - 0.1 * x));
   }
   expect_usual(traced(image), 4);
+}
+
+// ---------------------------------------------------------------- border
+
+TEST(Border, StrokesReachIt) {
+  for (const double pen : {2.0, 5.0, 9.0}) {
+    SCOPED_TRACE(pen);
+    const Line across{{-20, 60}, {220, 100}}, corner{{-20, -20}, {90, 40}};
+    const Drawing drawing = traced(painted({across, corner}, pen, 200, 160));
+    EXPECT_EQ(drawing.curves.size(), 2u);
+    const auto found = lines_of(drawing);
+    for (const Vec2 exit : {Vec2{0, 60 + 20.0 / 6}, Vec2{200, 60 + 220.0 / 6}, Vec2{50.0 / 3, 0}}) {
+      EXPECT_LT(distance(exit, found), 0.5 * pen + 0.5) << exit.x << ',' << exit.y;
+    }
+    EXPECT_LT(farthest(found, {across, corner}), 0.25 * pen + 0.3);
+  }
 }
 
 }  // namespace
