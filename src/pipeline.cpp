@@ -164,7 +164,8 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);
   attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
   auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), attached.junctions, ink.mask, corners);
-  Chains located = locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, kLongestBlot * pen});
+  Chains located =
+      locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, (fine ? kLongestBlot : 1.5) * pen});
   located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
   located = drop_spurs(std::move(located), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.

@@ -187,19 +187,24 @@ Chains kept_chains(Chains chains, const std::vector<std::uint8_t>& alive) {
   return dissolve_junctions(std::move(chains));
 }
 
+// Of two chains that stand for the same ink the longer one is to stay.
+std::vector<int> shortest_first(const std::vector<Chain>& chains) {
+  std::vector<int> order(chains.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> length;
+  for (const auto& c : chains) length.push_back(length_of(c));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
+  return order;
+}
+
 }  // namespace
 
 Chains drop_doubles(Chains chains, double distance) {
   for (auto& c : chains.chains) c.points = resampled(c.points, 0.5 * distance);
   const PointBins bins(chains.chains, distance);
-  std::vector<int> order(chains.chains.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<double> length;
-  for (const auto& c : chains.chains) length.push_back(length_of(c));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
-  for (const int c : order) {
+  for (const int c : shortest_first(chains.chains)) {
     const auto& points = chains.chains[static_cast<std::size_t>(c)].points;
     int doubled = 0;
     for (int k = 0; k < static_cast<int>(points.size()); ++k)
@@ -221,14 +226,14 @@ Chains drop_spurs(Chains chains, double share) {
   if (widest_of_all <= 0) return chains;
   const PointBins bins(chains.chains, share * widest_of_all);
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
-  for (std::size_t i = 0; i < chains.chains.size(); ++i) {
-    const Chain& c = chains.chains[i];
+  for (const int i : shortest_first(chains.chains)) {
+    const Chain& c = chains.chains[static_cast<std::size_t>(i)];
     const int j = std::max(c.start_junction, c.end_junction);
     if (c.closed || std::min(c.start_junction, c.end_junction) >= 0) continue;
     if (j >= 0 && degree[static_cast<std::size_t>(j)] < 3) continue;
     const double distance = share * (j >= 0 ? widest[static_cast<std::size_t>(j)] : c.width);
-    alive[i] = !std::all_of(c.points.begin(), c.points.end(),
-                            [&](Vec2 p) { return bins.has_companion(p, {}, static_cast<int>(i), alive, distance, 0); });
+    alive[static_cast<std::size_t>(i)] =
+        !std::all_of(c.points.begin(), c.points.end(), [&](Vec2 p) { return bins.has_companion(p, {}, i, alive, distance, 0); });
   }
   return kept_chains(std::move(chains), alive);
 }
