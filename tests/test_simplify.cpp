@@ -87,6 +87,20 @@ TEST(Simplify, AFreeChainInsideTheInkOfAnotherIsDropped) {
   EXPECT_EQ(drop_spurs({{}, {line, chain_along({{90, apart}, {92, apart}}, kWidth)}}, kSpur).chains.size(), 2u);
 }
 
+TEST(Simplify, OfChainsInOneStrokeTheLongestStaysHoweverTheyAreOrdered) {
+  const Chain line = chain_along({{20, 50}, {180, 50}}, kWidth);
+  const std::vector<Chain> parts{chain_along({{15, 51}, {75, 51}}, kWidth), chain_along({{74, 49}, {130, 49}}, kWidth),
+                                 chain_along({{129, 51}, {185, 51}}, kWidth)};
+  for (std::size_t place = 0; place <= parts.size(); ++place) {
+    auto chains = parts;
+    chains.insert(chains.begin() + static_cast<std::ptrdiff_t>(place), line);
+    const Chains kept = drop_spurs({{}, chains}, kSpur);
+    ASSERT_EQ(std::count_if(kept.chains.begin(), kept.chains.end(), [](const Chain& c) { return length_of(c) > 150; }), 1)
+        << place;
+    EXPECT_LT(kept.chains.size(), 4u) << place;
+  }
+}
+
 TEST(Simplify, StrokesDrawnTooFarAreCutAtTheJunction) {
   const auto corner = [](Vec2 over) {
     Chains chains{{{100, 100}},
