@@ -40,7 +40,8 @@ constexpr std::array kTable{
     OptionRow{"fills", &Options::fills, Stage::ink, "", 0, 2, "",
               "filled areas: outlines in a layer of their own, left out, or traced like strokes"},
     OptionRow{"bundles", &Options::bundles, Stage::bundles, "", 0, 2, "",
-              "strokes side by side for one line: join them first, keep them, or join them in rough drawings"},
+              "strokes side by side for one line: join them first, keep them, or join them in rough drawings whose reach and "
+              "spacing are auto"},
     OptionRow{"reach", &Options::reach, Stage::band, "strokes", 0, 10, "5", "half-width of the band around the ink (beta)"},
     OptionRow{"mesh-size", &Options::mesh_size, Stage::band, "strokes", 0.05, 1, "5", "largest circumdiameter of a triangle"},
     OptionRow{"degenerate-angle", &Options::degenerate_angle, Stage::field, "degrees", 0, 90, "6.1",

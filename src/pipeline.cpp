@@ -193,8 +193,10 @@ void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
   const PresetValues values = preset_values(settled.preset, ink.stroke_width);
   settled.reach = inputs.options.reach.value_or(values.reach);
   settled.spacing = inputs.options.spacing.value_or(values.spacing);
+  // Who gives a reach or a spacing has said which strokes are one line.
+  const bool told = inputs.options.reach || inputs.options.spacing;
   if (settled.bundles == BundleMode::automatic)
-    settled.bundles = settled.preset == Preset::rough ? BundleMode::join : BundleMode::keep;
+    settled.bundles = settled.preset == Preset::rough && !told ? BundleMode::join : BundleMode::keep;
 }
 
 Stage first_stage_changed(const Inputs& before, const Inputs& now) {

@@ -112,6 +112,10 @@ TEST(Bundles, LinesThatEndTogetherStayApart) {
 TEST(Bundles, OnlyRoughDrawingsAreJoinedUnasked) {
   EXPECT_EQ(run(sketched_circle(12), BundleMode::automatic).report.bundles,
             run(sketched_circle(12), BundleMode::join).report.bundles);
+  Options told;
+  told.preset = Preset::rough;
+  told.spacing = 1.5;
+  EXPECT_EQ(vectorize(sketched_circle(12), told).report.bundles, 0);
   Options clean;
   clean.preset = Preset::clean;
   EXPECT_EQ(vectorize(sketched_circle(12), clean).report.bundles, 0);

@@ -178,15 +178,16 @@ TEST_P(EachOption, GivesTheSameAsFromTheStart) {
 
 TEST_P(EachOption, IsFirstReadByItsStage) {
   const Image image = drawing();
-  const Options changed = with(GetParam().name, other_value(GetParam().name));
-  const auto before = numbers_of(run_stages(image, usual(), {})), after = numbers_of(run_stages(image, changed, {}));
+  Options first = usual(), changed = with(GetParam().name, other_value(GetParam().name));
+  if (GetParam().name == "preset") first.spacing = changed.spacing = std::nullopt;  // a spacing leaves the preset less to say
+  const auto before = numbers_of(run_stages(image, first, {})), after = numbers_of(run_stages(image, changed, {}));
   for (std::size_t stage = 0; stage < static_cast<std::size_t>(GetParam().stage); ++stage)
     EXPECT_TRUE(before[stage] == after[stage]) << "changes " << stage_name(static_cast<Stage>(stage));
   if (GetParam().stage != Stage::none) {
     const auto stage = static_cast<std::size_t>(GetParam().stage);
     EXPECT_FALSE(before[stage] == after[stage]) << "leaves " << stage_name(GetParam().stage);
   }
-  EXPECT_EQ(first_stage_changed(usual(), changed), GetParam().stage);
+  EXPECT_EQ(first_stage_changed(first, changed), GetParam().stage);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EachOption, ::testing::ValuesIn(option_table().begin(), option_table().end()),

@@ -10,7 +10,8 @@ enum class Preset { automatic, clean, rough };
 // What becomes of filled areas: outlines in a layer of their own, nothing, or strokes like all ink.
 enum class FillMode { layer, drop, trace };
 
-// Strokes drawn side by side for one line: joined in rough drawings, joined, or kept apart.
+// Strokes drawn side by side for one line: joined in rough drawings where neither reach nor spacing is given, joined,
+// or kept apart.
 enum class BundleMode { automatic, join, keep };
 
 struct Options {
