@@ -14,6 +14,7 @@
 #include "folds.h"
 #include "junctions.h"
 #include "leftovers.h"
+#include "needles.h"
 #include "options.h"
 #include "parts.h"
 #include "preset.h"
@@ -167,7 +168,7 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   Chains located =
       locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, (fine ? kLongestBlot : 1.5) * pen});
   located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
-  located = drop_spurs(std::move(located), resolution.spur);
+  located = drop_spurs(drop_needles(std::move(located), kSeenOfPen * pen, 2 * corners.longest), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.
   return spacing > 1 ? drop_overshoots(std::move(located), kOvershoot * width) : located;
 }

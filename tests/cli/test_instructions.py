@@ -24,7 +24,7 @@ MILLIONS = {
     'chain_strokes': 4.5,
     'follow_ridges': 86,
     'mark_leftovers': 11,
-    'fit_curves': 193,
+    'fit_curves': 67,
 }
 MOST = 1.3   # times that
 
