@@ -63,6 +63,8 @@ constexpr std::array kTable{
     OptionRow{"damping", &Options::damping, Stage::map, "", 1e-6, 1, "6.2", "weight that keeps coordinates small (epsilon)"},
     OptionRow{"merge-difference", &Options::merge_difference, Stage::map, "grid units", 0, 10, "6.2",
               "corners nearer than this share an integer"},
+    OptionRow{"gap", &Options::gap, Stage::chains, "strokes", 0, 20, "",
+              "paper over which two ends in line with each other are joined; 0: none"},
     OptionRow{"coverage-bins", &Options::coverage_bins, Stage::chains, "", 1, 1000, "6.3",
               "parts of a chain that must all hold ink"},
     OptionRow{"tolerance", &Options::tolerance, Stage::fit, "strokes", 0.001, 10, "6.3",

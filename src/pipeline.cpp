@@ -28,7 +28,6 @@ constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other 
 constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
 constexpr double kLongestRung = 3;   // of the slimmed stroke
 constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
-constexpr double kWidestGap = 6;     // px: pictures break strokes by so much
 constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
@@ -144,14 +143,13 @@ Chains with_drawn_widths(Chains chains, const Ink& ink, double reach, double spa
 }
 
 // The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double reach, double spacing, int bins) {
+Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double reach, double spacing, double gap, int bins) {
   const double width = ink.stroke_width;
   const Resolution resolution = resolution_of(spacing, width, pen);
   const RidgeOptions ridge = ridge_options(width, reach, spacing);
   const CornerOptions corners{kLongestBlot * pen, kTipMiss * pen};
   const bool fine = spacing < 1;
-  const EndOptions ends{1.5 * width, fine ? kLongestBlot * pen : 1.5 * width, std::max(1.0, 0.5 * reach * width),
-                        std::min(pen, kWidestGap)};
+  const EndOptions ends{1.5 * width, fine ? kLongestBlot * pen : 1.5 * width, std::max(1.0, 0.5 * reach * width), gap * pen};
   const double bridge = std::max(1.0, reach * width);
   Chains covered = drop_rungs(drop_uncovered(chains, ink, bins, bridge), ink, kLongestRung * width, bridge);
   if (fine) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
@@ -194,6 +192,7 @@ void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
   const PresetValues values = preset_values(settled.preset, ink.stroke_width);
   settled.reach = inputs.options.reach.value_or(values.reach);
   settled.spacing = inputs.options.spacing.value_or(values.spacing);
+  settled.gap = inputs.options.gap.value_or(values.gap);
   // Who gives a reach or a spacing has said which strokes are one line.
   const bool told = inputs.options.reach || inputs.options.spacing;
   if (settled.bundles == BundleMode::automatic)
@@ -280,7 +279,7 @@ Chains chain_on_ink(const Stages& stages, Stopwatch& run) {
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
     return refine_on_ink(chains, stages.slim, stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim,
-                         options.coverage_bins);
+                         *options.gap, options.coverage_bins);
   });
   if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
   return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
@@ -311,6 +310,7 @@ Bundles scout_bundles(const Stages& stages, const Control& control) {
   Options& options = scout.inputs.settled;
   options.reach = values.reach;
   options.spacing = values.spacing;
+  options.gap = values.gap;
   options.threads = stages.inputs.options.threads;
   scout.ink = stages.ink;
   scout.slim = ground_of(scout, nullptr).ink;
@@ -429,6 +429,7 @@ void report_result(const Stages& stages, Report& report) {
   report.preset = options.preset == Preset::rough ? "rough" : "clean";
   report.reach = *options.reach;
   report.spacing = *options.spacing;
+  report.gap = *options.gap;
   report.bundles = stages.bundles.count;
   report_mesh(stages.parts.empty() ? stages.mesh : assembled_mesh(stages), report);
   report_map(stages.field, stages.charts, stages.map, report);

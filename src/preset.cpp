@@ -13,6 +13,7 @@ constexpr double kUnevenWidth = 0.5;
 constexpr double kSlitRadius = 0.3;  // strokes
 constexpr double kFinePen = 4;       // px: a slimmer pen has no details below its width that pixels show
 constexpr double kFinest = 0.5;
+constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
 
 // The rim of a stroke is grey for other reasons.
 double opacity_spread(const Ink& ink) {
@@ -62,9 +63,10 @@ Preset choose_preset(Preset given, const Ink& ink) {
 }
 
 PresetValues preset_values(Preset preset, double stroke_width) {
-  if (preset == Preset::rough) return {0.45, 1.5};
+  const double gap = std::min(1.0, kWidestGap / stroke_width);
+  if (preset == Preset::rough) return {0.45, 1.5, gap};
   const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
-  return {0.3 * fineness, 0.7 * fineness};
+  return {0.3 * fineness, 0.7 * fineness, gap};
 }
 
 }  // namespace inkgrid

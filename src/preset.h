@@ -24,6 +24,7 @@ Preset choose_preset(Preset given, const Ink& ink);
 struct PresetValues {
   double reach;    // beta, strokes
   double spacing;  // lambda, strokes
+  double gap;      // of paper that is bridged between ends in line, strokes: pictures break strokes by a few pixels
 };
 
 // For clean drawings both follow the pen: down to half of what a pen of a few pixels is given, so that details smaller than the

@@ -65,6 +65,7 @@ std::string report_json(const Options& options, const Report& report) {
                   {"preset", report.preset},
                   {"reach", report.reach},
                   {"spacing", report.spacing},
+                  {"gap", report.gap},
                   {"bundles", report.bundles},
                   {"vertices", report.vertices},
                   {"triangles", report.triangles},

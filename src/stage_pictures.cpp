@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
 
 #include "assembled.h"
 #include "pictures/canvas.h"
@@ -15,7 +16,8 @@ namespace inkgrid {
 
 namespace {
 
-constexpr Colour kInk{0x2b5fa8}, kCentre{0xffc83d}, kMark{0x111111}, kFree{0xd81b60}, kJunction{0xe02020}, kFill{0x00897b};
+constexpr Colour kInk{0x2b5fa8}, kPaleInk{0xb4c6e2}, kSlit{0xf08a24}, kCentre{0xffc83d}, kMark{0x111111}, kFree{0xd81b60},
+    kJunction{0xe02020}, kFill{0x00897b};
 constexpr Colour kBand{0x4f7f9f, 0.6}, kBandOnInk{0x8fc1e3, 0.5};
 constexpr Colour kAlongS{0x1a9850}, kAlongT{0x7b3fb5}, kUnlabelled{0xb0b0b0}, kCut{0xff8c00};
 constexpr Colour kIsolineU{0xd7301f}, kIsolineV{0x2166ac}, kBoundaryNode{0x888888};
@@ -69,6 +71,17 @@ void draw_ink(Painter& painter, const Stages& stages) {
     centre.data[i] = ink.mask.data[i] && ink.centre_distance.data[i] < kNearCentre;
   painter.pixels(centre, kCentre);
   if (ink.stroke_width > 0) painter.dot({ink.stroke_width, ink.stroke_width}, ink.stroke_width / 2, kJunction);
+}
+
+// What the grid works on: the slimmed ink over that which was drawn, and the slits of bundles.
+void draw_strokes(Painter& painter, const Stages& stages) {
+  const Raster<std::uint8_t>&slim = stages.slim.mask, &slits = stages.bundles.slits;
+  painter.pixels(stages.ink.mask, kPaleInk);
+  painter.pixels(slim, kInk);
+  if (stages.bundles.count == 0) return;
+  Raster<std::uint8_t> joined = slim;
+  std::transform(slits.data.begin(), slits.data.end(), joined.data.begin(), joined.data.begin(), std::bit_and<std::uint8_t>());
+  painter.pixels(joined, kSlit);
 }
 
 void draw_band(Painter& painter, const Stages& stages) {
@@ -172,9 +185,9 @@ struct StagePicture {
 
 // In the order of the pipeline.
 constexpr std::array kPictures{
-    StagePicture{"ink", draw_ink},       StagePicture{"band", draw_band}, StagePicture{"field", draw_field},
-    StagePicture{"labels", draw_labels}, StagePicture{"grid", draw_grid}, StagePicture{"chains", draw_chains},
-    StagePicture{"curves", draw_curves},
+    StagePicture{"ink", draw_ink},       StagePicture{"strokes", draw_strokes}, StagePicture{"band", draw_band},
+    StagePicture{"field", draw_field},   StagePicture{"labels", draw_labels},   StagePicture{"grid", draw_grid},
+    StagePicture{"chains", draw_chains}, StagePicture{"curves", draw_curves},
 };
 
 void draw_stage(const StagePicture& picture, Painter& painter, const Stages& stages) {

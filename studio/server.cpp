@@ -87,6 +87,12 @@ void stream_events(const std::shared_ptr<EventStream>& events, Response& respons
       [events](bool) { events->stop.request_stop(); });
 }
 
+// For this program alone, and at once where one before it has just ended.
+void claim_port(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
 ExportOptions export_options_of(const std::string& body) {
   ExportOptions options;
   const auto asked = nlohmann::json::parse(body, nullptr, false);
@@ -126,6 +132,7 @@ Server::Inside::Inside() {
   http.set_payload_max_length(kMostBytes);
   http.set_keep_alive_max_count(1);
   http.set_tcp_nodelay(true);
+  http.set_socket_options(claim_port);
   http.new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
   httplib::Headers headers;
   for (const auto& [name, value] : safety_headers()) headers.emplace(name, value);

@@ -52,6 +52,8 @@ double nearest_pixel(const Mask& mask, int x, int y, int value, Distance distanc
 struct RandomMask {
   int width, height;
   double part;
+
+  friend void PrintTo(const RandomMask& m, std::ostream* out) { *out << m.width << "x" << m.height << ", " << m.part << " ink"; }
 };
 
 class RandomMasks : public ::testing::TestWithParam<RandomMask> {

@@ -292,19 +292,36 @@ TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
 
 // ---------------------------------------------------------------- gaps
 
+// A stroke with paper in its middle, px.
+Image broken_stroke(double pen, double gap) {
+  Image image = blank(260, 80);
+  paint(image, {{20, 30}, {240, 50}}, pen);
+  for (std::size_t y = 0; y < 80; ++y)
+    for (std::size_t x = 0; x < 260; ++x)
+      if (std::abs(static_cast<double>(x) + 0.5 - 130) < gap / 2) image.grey[y * 260 + x] = 255;
+  return image;
+}
+
 TEST(GapsInAStroke, AreBridged) {
   for (const double pen : {3.0, 5.0})
-    for (double gap = 1; gap <= pen; ++gap) {
-      SCOPED_TRACE(std::to_string(pen) + " px, gap " + std::to_string(gap));
-      Image image = blank(260, 80);
-      paint(image, {{20, 30}, {240, 50}}, pen);
-      for (std::size_t y = 0; y < 80; ++y)
-        for (std::size_t x = 0; x < 260; ++x) {
-          const double along = static_cast<double>(x) + 0.5 - 130;
-          if (std::abs(along) < gap / 2) image.grey[y * 260 + x] = 255;
-        }
-      EXPECT_EQ(traced(image).curves.size(), 1u);
-    }
+    for (double gap = 1; gap <= pen; ++gap)
+      EXPECT_EQ(traced(broken_stroke(pen, gap)).curves.size(), 1u) << pen << " px, gap " << gap;
+}
+
+TEST(GapsInAStroke, AreBridgedAsFarAsIsAsked) {
+  const auto pieces = [](double pen, double gap, double allowed) {
+    Options options;
+    options.gap = allowed;
+    return vectorize(broken_stroke(pen, gap * pen), options).drawing.curves.size();
+  };
+  for (const double pen : {4.0, 6.0, 12.0}) {
+    SCOPED_TRACE(std::to_string(pen) + " px");
+    EXPECT_EQ(pieces(pen, 1, 0), 2u);
+    EXPECT_EQ(pieces(pen, 2.5, 1), 2u);
+    EXPECT_EQ(pieces(pen, 2.5, 3), 1u);
+    EXPECT_EQ(pieces(pen, 6, 3), 2u);
+    EXPECT_EQ(pieces(pen, 6, 7), 1u);
+  }
 }
 
 // ---------------------------------------------------------------- bad pictures

@@ -9,14 +9,9 @@
 
 #include "inkgrid/inkgrid.h"
 #include "options.h"
+#include "printing.h"
 
 namespace inkgrid {
-
-// A failing test names its row.
-void PrintTo(const OptionRow& row, std::ostream* out) {
-  *out << row.name;
-}
-
 namespace {
 
 class EachOption : public ::testing::TestWithParam<OptionRow> {
@@ -168,6 +163,7 @@ TEST(OptionTable, HasTheConstantsOfThePaper) {
   EXPECT_EQ(text("threshold"), "auto");
   EXPECT_EQ(text("fills"), "layer");
   EXPECT_EQ(text("bundles"), "auto");
+  EXPECT_EQ(text("gap"), "auto");
 }
 
 TEST(OptionTable, PresetsHaveNames) {

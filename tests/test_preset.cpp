@@ -58,5 +58,13 @@ TEST(Preset, AThickPenHasAFinerGridInItsOwnWidths) {
   EXPECT_EQ(preset_values(Preset::rough, 2).spacing, preset_values(Preset::rough, 60).spacing);
 }
 
+TEST(Preset, GapsAreAsWideAsAPenButNotWiderThanPicturesBreakStrokes) {
+  for (const Preset preset : {Preset::clean, Preset::rough}) {
+    EXPECT_EQ(preset_values(preset, 2).gap, 1);
+    EXPECT_EQ(preset_values(preset, 6).gap, 1);
+    EXPECT_DOUBLE_EQ(24 * preset_values(preset, 24).gap, 6);
+  }
+}
+
 }  // namespace
 }  // namespace inkgrid

@@ -7,6 +7,7 @@
 #include "drawings.h"
 #include "inkgrid/session.h"
 #include "pipeline.h"
+#include "printing.h"
 
 namespace inkgrid {
 namespace {
@@ -15,7 +16,7 @@ using testing::blank;
 using testing::circle;
 using testing::paint;
 
-// Crossing strokes, a circle apart from them, and a blot in it.
+// Crossing strokes, a circle apart from them, and a blot in it; a stroke with a gap.
 Image drawing() {
   Image image = blank(130, 80);
   for (const double x : {20.0, 45.0}) paint(image, {{x, 10}, {x, 70}}, 4);
@@ -25,6 +26,8 @@ Image drawing() {
   paint(image, {{97, 42}, {97, 42}}, 18);
   paint(image, {{66, 4}, {108, 4}}, 4);
   paint(image, {{84, 11}, {126, 11}}, 4);
+  paint(image, {{66, 74}, {90, 74}}, 4);
+  paint(image, {{97, 74}, {124, 74}}, 4);
   return image;
 }
 
@@ -47,6 +50,7 @@ std::string other_value(std::string_view name) {
                                                                      {"snap-sigma", "0.5"},
                                                                      {"damping", "0.01"},
                                                                      {"merge-difference", "0.01"},
+                                                                     {"gap", "0"},
                                                                      {"coverage-bins", "1000"},
                                                                      {"tolerance", "0.02"},
                                                                      {"threads", "1"}};
@@ -154,8 +158,8 @@ void expect_same(const Stages& found, const Stages& expected) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(a[i] == b[i]) << stage_name(static_cast<Stage>(i));
   Report r = found.report, e = expected.report;
   EXPECT_EQ(r.warnings, e.warnings);
-  EXPECT_EQ(std::tie(r.preset, r.reach, r.spacing, r.threshold, r.stroke_width, r.ink_pixels),
-            std::tie(e.preset, e.reach, e.spacing, e.threshold, e.stroke_width, e.ink_pixels));
+  EXPECT_EQ(std::tie(r.preset, r.reach, r.spacing, r.gap, r.threshold, r.stroke_width, r.ink_pixels),
+            std::tie(e.preset, e.reach, e.spacing, e.gap, e.threshold, e.stroke_width, e.ink_pixels));
   EXPECT_EQ(std::tie(r.vertices, r.triangles, r.components, r.holes, r.cuts, r.cut_integers, r.snapping_integers),
             std::tie(e.vertices, e.triangles, e.components, e.holes, e.cuts, e.cut_integers, e.snapping_integers));
   EXPECT_EQ(std::tie(r.alignment_energy, r.snapping_energy, r.nodes, r.edges, r.curves, r.segments),
@@ -229,6 +233,7 @@ TEST(Rerun, GivenWhatWasChosenRunsNothing) {
   given.preset = Preset::clean;
   given.reach = stages.report.reach;
   given.spacing = stages.report.spacing;
+  given.gap = stages.report.gap;
   ASSERT_EQ(stages.report.preset, "clean");
   rerun_stages(stages, image, given, {});
   EXPECT_TRUE(stages_run(stages).empty());

@@ -58,6 +58,14 @@ Stages square_stages(const Image& image) {
       stages.ink.centre_distance(x, y) = static_cast<float>(std::abs(y + 0.5 - 20) / 4);
     }
   stages.ink.stroke_width = 4;
+  stages.slim.mask = stages.ink.mask;
+  stages.bundles.slits = Raster<std::uint8_t>(image.width, image.height);
+  stages.bundles.count = 1;
+  for (int x = 0; x < image.width; ++x) {
+    stages.slim.mask(x, 18) = 0;
+    stages.slim.mask(x, 21) = stages.bundles.slits(x, 21) = x >= 24 && x < 32;
+    stages.bundles.slits(x, 23) = 1;
+  }
   stages.mesh.points = {{8, 12}, {32, 12}, {32, 28}, {8, 28}};
   stages.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   stages.mesh.twins = {-1, -1, 3, 2, -1, -1};
@@ -91,8 +99,8 @@ Stages square_stages(const Image& image) {
   return stages;
 }
 
-const char* const kFiles[] = {"1-ink.png",  "2-band.png",   "3-field.png", "4-labels.png",
-                              "5-grid.png", "6-chains.png", "7-curves.png"};
+const char* const kFiles[] = {"1-ink.png",    "2-strokes.png", "3-band.png",   "4-field.png",
+                              "5-labels.png", "6-grid.png",    "7-chains.png", "8-curves.png"};
 
 class StagePictures : public ::testing::Test {
  protected:
@@ -112,7 +120,7 @@ TEST_F(StagePictures, AreWholeMultiplesOfTheDrawingAndNothingElseIsLeftBehind) {
     EXPECT_EQ(pictures_[file].width, 640) << file;
     EXPECT_EQ(pictures_[file].height, 640) << file;
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch_.path / "made" / "here"), fs::directory_iterator()), 7);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch_.path / "made" / "here"), fs::directory_iterator()), std::ssize(kFiles));
 }
 
 TEST_F(StagePictures, DifferFromOneAnotherAndFromTheLightenedDrawing) {
@@ -131,18 +139,22 @@ TEST_F(StagePictures, PutThingsWhereTheyAre) {
   EXPECT_EQ(colour("1-ink.png", 12.5, 18.2), 0x2b5fa8u);
   EXPECT_EQ(colour("1-ink.png", 12.5, 19.8), 0xffc83du);
   EXPECT_EQ(colour("1-ink.png", 12.5, 16), 0xffffffu);
-  EXPECT_EQ(colour("4-labels.png", 20, 20), 0xff8c00u) << "the cut, on the diagonal";
-  EXPECT_EQ(colour("4-labels.png", 32, 28), 0xe02020u) << "the singular vertex";
-  EXPECT_NE(colour("4-labels.png", 28, 14), colour("4-labels.png", 12, 26)) << "two labels";
-  EXPECT_EQ(colour("5-grid.png", 18, 20), 0xd7301fu) << "u isoline";
-  EXPECT_EQ(colour("5-grid.png", 26, 20), 0x2166acu) << "v isoline";
-  EXPECT_EQ(colour("6-chains.png", 20, 20), 0x1f77b4u);
-  EXPECT_EQ(colour("7-curves.png", 16, 14), 0x0a7d5cu) << "a control point";
-  EXPECT_EQ(colour("7-curves.png", 32, 20), 0xe02020u) << "the junction";
+  EXPECT_EQ(colour("2-strokes.png", 12.5, 18.2), 0xb4c6e2u) << "drawn";
+  EXPECT_EQ(colour("2-strokes.png", 12.5, 19.8), 0x2b5fa8u) << "left of it";
+  EXPECT_EQ(colour("2-strokes.png", 28.5, 21.5), 0xf08a24u) << "a slit that is joined";
+  EXPECT_EQ(colour("2-strokes.png", 28.5, 23.5), 0xffffffu) << "one that stays open";
+  EXPECT_EQ(colour("5-labels.png", 20, 20), 0xff8c00u) << "the cut, on the diagonal";
+  EXPECT_EQ(colour("5-labels.png", 32, 28), 0xe02020u) << "the singular vertex";
+  EXPECT_NE(colour("5-labels.png", 28, 14), colour("5-labels.png", 12, 26)) << "two labels";
+  EXPECT_EQ(colour("6-grid.png", 18, 20), 0xd7301fu) << "u isoline";
+  EXPECT_EQ(colour("6-grid.png", 26, 20), 0x2166acu) << "v isoline";
+  EXPECT_EQ(colour("7-chains.png", 20, 20), 0x1f77b4u);
+  EXPECT_EQ(colour("8-curves.png", 16, 14), 0x0a7d5cu) << "a control point";
+  EXPECT_EQ(colour("8-curves.png", 32, 20), 0xe02020u) << "the junction";
 }
 
 TEST_F(StagePictures, MarkFreeEndsOnly) {
-  for (const char* file : {"6-chains.png", "7-curves.png"}) {
+  for (const char* file : {"7-chains.png", "8-curves.png"}) {
     const auto ring = [&](int x) {
       long pixels = 0;
       for (int dy = -8; dy <= 8; ++dy)
@@ -180,13 +192,13 @@ TEST(StagePicturesOfLightOnDark, AreTurnedOver) {
   Stages stages;
   stages.ink.inverted = true;
   write_stage_pictures(scratch.path.string(), testing::blank(10, 10, 0), stages);
-  EXPECT_EQ(count_colour(read_png(scratch.path / "7-curves.png"), 0xffffff), 160 * 160);
+  EXPECT_EQ(count_colour(read_png(scratch.path / "8-curves.png"), 0xffffff), 160 * 160);
 }
 
 TEST(StagePicturesThatCannotBeWritten, SaySo) {
   Scratch scratch;
   std::ofstream(scratch.path / "file") << "no directory";
-  fs::create_directories(scratch.path / "taken" / "3-field.png" / "inside");
+  fs::create_directories(scratch.path / "taken" / "4-field.png" / "inside");
   for (const char* directory : {"file", "file/below", "taken"}) try {
       write_stage_pictures((scratch.path / directory).string(), testing::blank(10, 10), Stages{});
       ADD_FAILURE() << directory;
@@ -194,7 +206,7 @@ TEST(StagePicturesThatCannotBeWritten, SaySo) {
       EXPECT_EQ(error.code(), ErrorCode::file);
       EXPECT_NE(std::string(error.what()).find(directory), std::string::npos);
     }
-  EXPECT_FALSE(fs::exists(scratch.path / "taken" / "3-field.png.part")) << "nothing half-written";
+  EXPECT_FALSE(fs::exists(scratch.path / "taken" / "4-field.png.part")) << "nothing half-written";
 }
 
 TEST(PictureScale, IsWholeForSmallDrawingsAndOneOverWholeForLargeOnes) {
@@ -213,8 +225,8 @@ TEST(PictureScale, IsWholeForSmallDrawingsAndOneOverWholeForLargeOnes) {
 TEST(LongStrip, FitsIntoAPicture) {
   Scratch scratch;
   write_stage_pictures(scratch.path.string(), testing::blank(20000, 3), Stages{});
-  EXPECT_EQ(read_png(scratch.path / "2-band.png").width, 4000);
-  EXPECT_EQ(read_png(scratch.path / "2-band.png").height, 1);
+  EXPECT_EQ(read_png(scratch.path / "3-band.png").width, 4000);
+  EXPECT_EQ(read_png(scratch.path / "3-band.png").height, 1);
 }
 
 // A strip of squares, each of two triangles, from (0, 0) to (cells, 1).

@@ -19,6 +19,7 @@ struct Options {
   std::optional<double> threshold;  // grey level 0..255; unset: chosen from the drawing (section 5)
   std::optional<double> reach;      // beta, strokes; unset: from the preset (section 5)
   std::optional<double> spacing;    // lambda, strokes; unset: from the preset (section 6.2)
+  std::optional<double> gap;        // of paper between ends in line, strokes; unset: from the stroke width
 
   FillMode fills = FillMode::layer;
   BundleMode bundles = BundleMode::automatic;

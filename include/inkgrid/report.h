@@ -18,6 +18,7 @@ struct Report {
   std::string preset;  // "clean" or "rough"
   double reach = 0;    // stroke widths, the paper's beta
   double spacing = 0;  // stroke widths, the paper's lambda
+  double gap = 0;      // stroke widths
   int bundles = 0;     // pairs of strokes, seen from both sides, that were joined as one line
   // band mesh
   int vertices = 0;

@@ -2,8 +2,9 @@
 
 export const kLayers = [
   { key: 'input', title: 'Drawing', on: true, help: 'What you gave: the grey pixels everything else is made from.' },
-  { key: 'scribbles', title: 'Scribbles', on: true, help: 'Where you asked for less simplification (purple) or more (orange); band, field, labels and grid are those from before the scribbles.' },
+  { key: 'scribbles', title: 'Scribbles', on: true, help: 'Where you asked for less simplification (purple) or more (orange); what was solved again there is part of every layer from the band on.' },
   { key: 'ink', title: 'Ink', recorded: 'ink', help: 'Pixels taken for strokes, their middle in yellow; the red dot is as wide as the average stroke.' },
+  { key: 'strokes', title: 'Strokes', recorded: 'strokes', help: 'What the method works on: ink (pale) made slimmer (blue) where details are finer than the pen, and the paper between strokes drawn for one line filled in (orange).' },
   { key: 'band', title: 'Band', recorded: 'band', help: 'A narrow mesh around the ink: strokes whose bands meet can see each other.' },
   { key: 'field', title: 'Frame field', recorded: 'field', help: 'Two directions at every point, one of them along the stroke, as smooth as the drawing allows.' },
   { key: 'labels', title: 'Labels and cuts', recorded: 'labels', help: 'Which direction the stroke follows (green or purple), where the map is cut open (orange), where directions turn about a point (red).' },

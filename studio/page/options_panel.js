@@ -3,9 +3,9 @@
 import { element } from './dom.js';
 import { rounded, scaleOf } from './scale.js';
 
-const kMain = ['preset', 'threshold', 'reach', 'spacing', 'gap', 'bridge', 'tolerance', 'fills'];
+const kMain = ['preset', 'threshold', 'reach', 'spacing', 'gap', 'tolerance', 'bundles', 'fills'];
 const kSteps = 1000;
-const kTitles = { reach: 'Reach', spacing: 'Spacing', tolerance: 'Tolerance', threshold: 'Threshold', preset: 'Preset', gap: 'Gap bridging', bridge: 'Gap bridging' };
+const kTitles = { reach: 'Reach', spacing: 'Spacing', tolerance: 'Tolerance', threshold: 'Threshold', preset: 'Preset', gap: 'Gap bridging', bundles: 'Bundles', fills: 'Filled areas' };
 
 const titleOf = (name) => kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
 
@@ -124,7 +124,7 @@ export class OptionsPanel {
   }
 
   show(options, report) {
-    const found = { preset: report?.preset, threshold: report?.threshold, reach: report?.reach, spacing: report?.spacing };
+    const found = { preset: report?.preset, threshold: report?.threshold, reach: report?.reach, spacing: report?.spacing, gap: report?.gap };
     for (const row of this.rows) row.show(options[row.option.name], found[row.option.name]);
   }
 

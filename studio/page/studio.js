@@ -10,8 +10,8 @@ import { ExportDialog } from './export_dialog.js';
 import { helpDialog } from './help_dialog.js';
 import { showHints } from './hints.js';
 import { History } from './history.js';
-import { KeyActions } from './key_actions.js';
 import { Keyboard } from './keyboard.js';
+import { keyTables } from './keys.js';
 import { LayersPanel } from './layers_panel.js';
 import { Opening } from './opening.js';
 import { OptionsPanel } from './options_panel.js';
@@ -70,7 +70,7 @@ export class Studio {
       this.renderer.invalidate();
     });
     this.exportDialog = new ExportDialog(byId('export-dialog'), this.about, (format, options) => this.exportAs(format, options));
-    this.keyboard = new Keyboard(new KeyActions(this), this.stage);
+    this.keyboard = new Keyboard(keyTables(this), this.stage);
     helpDialog(byId('help-dialog'), this.keyboard);
     this.ways = new Opening(this, this.about);
     showHints(byId('hint'));

@@ -43,6 +43,10 @@ export class Tools {
     this.changed();
   }
 
+  stepRadius(direction) {
+    this.setRadius(Math.round(this.radius * 1.2 ** direction + 0.5 * direction));
+  }
+
   show() {
     kTools.forEach((tool, i) => this.buttons[i].setAttribute('aria-pressed', String(tool === this.current)));
     this.size.value = String(this.radius);

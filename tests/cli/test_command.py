@@ -13,7 +13,7 @@ from support import PROGRAM, SVG, CommandTest, blank, cross, lattice, paint_line
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
     'degenerate-angle': 30, 'degenerate-ratio': 0.1, 'degenerate-fraction': 0.01, 'field-rounds': 100, 'label-length': 4,
-    'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'coverage-bins': 4, 'threads': 0,
+    'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'gap': 'auto', 'coverage-bins': 4, 'threads': 0,
 }
 
 FORMAT_OPTIONS = {'unit': 'auto', 'resolution': 'auto', 'stroke-width': 'measured', 'dxf-curves': 'polylines', 'flatness': 0.05,
@@ -139,9 +139,9 @@ class Told(CommandTest):
         self.assertEqual(self.succeed('drawing.png', '--quiet').stderr, b'')
 
     def test_given_values_are_used(self):
-        self.succeed('drawing.png', '--report', 'report.json', '--threshold', '100', '--reach', '0.5', '--spacing', '2')
+        self.succeed('drawing.png', '--report', 'report.json', '--threshold', '100', '--reach', '0.5', '--spacing', '2', '--gap', '3')
         report = json.loads(self.read('report.json'))
-        self.assertEqual((report['threshold'], report['reach'], report['spacing']), (100, 0.5, 2))
+        self.assertEqual((report['threshold'], report['reach'], report['spacing'], report['gap']), (100, 0.5, 2, 3))
 
 
 class Report(CommandTest):
@@ -150,7 +150,7 @@ class Report(CommandTest):
         self.succeed('drawing.png', '--report', 'report.json', '--snap', '30')
         report = json.loads(self.read('report.json'))
         self.assertEqual(report['options'], {**TABLE, 'snap': 30})
-        for field in ('threshold', 'stroke_width', 'ink_pixels', 'reach', 'spacing', 'vertices', 'triangles', 'components', 'curves', 'segments'):
+        for field in ('threshold', 'stroke_width', 'ink_pixels', 'reach', 'spacing', 'gap', 'vertices', 'triangles', 'components', 'curves', 'segments'):
             self.assertGreater(report[field], 0, field)
         for field in ('holes', 'field_rounds', 'degenerate_fraction', 'singularities', 'cuts', 'cut_integers', 'snapping_integers',
                       'alignment_energy', 'snapping_energy', 'fallback_components', 'nodes', 'edges'):
@@ -181,7 +181,7 @@ class Stages(CommandTest):
         self.put('drawing.png', png(cross()))
         self.succeed('drawing.png', '--stages', 'deep/stages')
         names = sorted(os.listdir(self.path('deep/stages')))
-        self.assertEqual(names, ['1-ink.png', '2-band.png', '3-field.png', '4-labels.png', '5-grid.png', '6-chains.png', '7-curves.png'])
+        self.assertEqual(names, ['1-ink.png', '2-strokes.png', '3-band.png', '4-field.png', '5-labels.png', '6-grid.png', '7-chains.png', '8-curves.png'])
         for name in names:
             self.assertTrue(self.read('deep/stages/' + name).startswith(b'\x89PNG'))
 

@@ -39,6 +39,19 @@ test('what is asked of a format reaches it, and what is wrong is said', { timeou
   await tab.page.fill('#export-stroke-width', '2.5');
   const { bytes } = await tab.download(() => tab.page.click('[data-format="svg"]'));
   assert.match(String(bytes), /stroke-width="2\.5"/);
+  const dxf = async (curves, unit) => {
+    await tab.page.click('#export');
+    await tab.page.selectOption('#export-dxf-curves', curves);
+    await tab.page.selectOption('#export-unit', unit);
+    return String((await tab.download(() => tab.page.click('[data-format="dxf"]'))).bytes);
+  };
+  const polylines = await dxf('polylines', 'mm'), splines = await dxf('splines', 'inch');
+  assert.match(polylines, /AC1009[^]*POLYLINE/);
+  assert.doesNotMatch(polylines, /SPLINE\r?\n/);
+  assert.match(splines, /SPLINE\r?\n/);
+  const unitOf = (file) => file.match(/\$INSUNITS\s+70\s+(\d)/)?.[1];
+  assert.equal(unitOf(splines), '1');
+  assert.notEqual(unitOf(polylines), '1');
 });
 
 test('a copied command makes the same bytes', { timeout: patience }, async (t) => {

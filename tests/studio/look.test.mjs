@@ -101,6 +101,6 @@ test('what happens is told in live regions', { timeout: patience }, async (t) =>
   await tab.waitToSay(/^Paint where strokes should merge/);
   await tab.page.keyboard.press('n');
   await tab.waitToSay(/^Curve 1 of 6: \d+ px long/);
-  await tab.page.keyboard.press('4');
+  await tab.page.keyboard.press('5');
   await tab.waitToSay(/^Band shown\. A narrow mesh/);
 });

@@ -33,6 +33,7 @@ test('each scribble changes what it touches and nothing else, and undo brings al
     const still = now.filter((path) => before.some((old) => same(path, old)));
     assert.ok(still.length >= 4, 'the arms of the cross stay');
     assert.ok(still.length < now.length, 'what was painted over does not');
+    assert.ok((await ids(tab)).filter((id) => firstIds.includes(id)).length >= 4, 'and keep their ids');
     await tab.page.click('#undo');
     await tab.settled();
     assert.deepEqual((await tab.export('svg')).bytes, first);
@@ -86,12 +87,14 @@ test('the eraser takes scribbles away, and the brush grows and shrinks', { timeo
   assert.deepEqual((await tab.export('svg')).bytes, first);
 });
 
+const kRan = { threshold: '; ran threshold to fit\\.', reach: '; ran slim ink to fit\\.', spacing: '; ran slim ink to fit\\.', gap: '; ran chains to fit\\.', tolerance: '; ran fit\\.' };
+
 test('every slider changes the curves, says what runs, and is reset', { timeout: 2 * patience }, async (t) => {
   const tab = await withCross(t), first = (await tab.export('svg')).bytes, plain = await tab.command();
-  for (const option of ['threshold', 'reach', 'spacing', 'tolerance']) {
+  for (const option of ['threshold', 'reach', 'spacing', 'gap', 'tolerance']) {
     await tab.slide(option, option === 'threshold' ? 900 : 800);
     await tab.settled();
-    assert.match(await tab.said(), option === 'tolerance' ? /; ran fit\./ : /; ran .+ to fit\./, option);
+    assert.match(await tab.said(), new RegExp(kRan[option]), option);
     assert.match(await tab.command(), new RegExp(`--${option} [\\d.]+ -o`));
     await tab.page.click(`[data-option="${option}"] .reset`);
     await tab.settled();
@@ -144,33 +147,23 @@ test('a slider that is dragged is one step to undo, and the threshold shows its 
   assert.ok(await tab.page.isDisabled('#undo'));
 });
 
-test('every layer draws something', { timeout: 2 * patience }, async (t) => {
-  const tab = await withCross(t);
-  const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
-  await tab.page.evaluate(() => document.activeElement.blur());
-  for (const layer of ['input', 'ink', 'band', 'field', 'labels', 'grid', 'graph', 'widths', 'curves', 'handles']) {
-    const before = await picture();
-    await tab.page.click(`#layer-${layer}`);
-    await eventually(async () => (await picture()) !== before, layer);
-    assert.ok((await tab.page.textContent(`#layer-${layer}-help`)).length > 20);
-    await tab.page.click(`#layer-${layer}`);
-    await eventually(async () => (await picture()) === before, `without ${layer}`);
-  }
-  assert.deepEqual(tab.faults, []);
-});
-
-test('a filled area is told, shown and switched off', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('blot.png', new Sheet(240, 180).line([20, 30], [220, 30], 4).line([20, 150], [220, 150], 4).disc(120, 90, 34).png());
-  assert.match(await tab.said(), /^2 curves and a filled area in/);
-  const [x, y] = (await tab.placer(240, 180))([120, 90]);
-  const colour = async () => (await tab.page.screenshot({ clip: { x, y, width: 2, height: 2 } })).toString('base64');
-  const filled = await colour();
-  await tab.page.click('#layer-fills');
-  await eventually(async () => (await colour()) !== filled, 'without the fill');
-  await tab.page.selectOption('#option-fills', 'drop');
-  await tab.waitToSay(/^2 curves in/);
-  assert.match(await tab.command(), /--fills drop/);
+test('gap bridging joins a broken stroke, and none keeps it broken', { timeout: patience }, async (t) => {
+  const tab = await openTab(t, browser, (await startStudio(t)).address), broken = new Sheet(240, 180).line([20, 60], [105, 60]).line([115, 60], [220, 60]).line([20, 120], [220, 120]);
+  await tab.opened('broken.png', broken.png());
+  const set = async (value, count) => {
+    await tab.page.fill('#option-gap', value);
+    await tab.page.press('#option-gap', 'Enter');
+    await eventually(async () => (await tab.count()) === count, `${count} curves with gap ${value}`);
+    await tab.settled();
+  };
+  assert.equal(await tab.count(), 2, 'four px are bridged');
+  assert.match(await tab.page.inputValue('#option-gap'), /^(1|0\.\d+)$/);
+  await set('0', 3);
+  assert.match(await tab.command(), /--gap 0 /);
+  await set('1.5', 2);
+  await tab.page.click('[data-option="gap"] .reset');
+  await tab.settled();
+  assert.doesNotMatch(await tab.command(), /gap/);
   assert.deepEqual(tab.faults, []);
 });
 
@@ -191,8 +184,31 @@ test('held keys compare, and a curve tells its measures', { timeout: patience },
     await tab.page.keyboard.up(key);
     await eventually(async () => (await picture()) === usual, `letting go of ${key}`);
   }
+});
+
+test('a split slider has the drawing on one side and the curves on the other', { timeout: patience }, async (t) => {
+  const tab = await withCross(t), place = await tab.placer(240, 180);
+  await tab.page.evaluate(() => document.activeElement.blur());
   await tab.page.keyboard.press('c');
-  assert.ok(await tab.page.isVisible('#split-at'));
+  const black = async (x, y) => {
+    const [left, top] = place([x, y]);
+    return tab.countOf([0, 0, 0], { x: left - 2, y: top - 2, width: 4, height: 4 });
+  };
+  const at = async (share) => tab.page.locator('#split-at').evaluate((slider, value) => {
+    slider.value = String(value);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, 1000 * share);
+  await at(0.99);
+  await eventually(async () => (await black(60, 60)) === 16 && (await black(180, 60)) === 16, 'the drawing on both sides');
+  await at(0.5);
+  await eventually(async () => (await black(60, 60)) === 16 && (await black(180, 60)) < 16, 'curves on the right');
+  await tab.page.focus('#split-at');
+  await tab.page.keyboard.press('Home');
+  await eventually(async () => (await black(60, 60)) < 16, 'curves alone');
+  await tab.page.focus('#stage');
+  await tab.page.keyboard.press('c');
+  assert.ok(await tab.page.isHidden('#split-at'));
+  assert.deepEqual(tab.faults, []);
 });
 
 test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: patience }, async (t) => {
@@ -207,6 +223,11 @@ test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: p
   assert.equal(await zoom(), fitted);
   await tab.page.keyboard.press('+');
   assert.notEqual(await zoom(), fitted);
+  await tab.page.keyboard.press('0');
+  await tab.page.keyboard.press('Shift+ArrowRight');
+  const [x, y] = place([60, 60]);
+  await tab.page.mouse.move(x - 144, y);
+  await tab.page.waitForSelector('#card:not([hidden])');
 });
 
 test('a pen paints as a mouse does', { timeout: patience }, async (t) => {

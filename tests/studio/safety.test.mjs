@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import { createServer, request } from 'node:http';
 import { connect } from 'node:net';
+import { networkInterfaces } from 'node:os';
 import { after, before, test } from 'node:test';
 import { cross } from './drawings.mjs';
-import { launch, openTab, patience, startStudio } from './support.mjs';
+import { launch, openTab, patience, run, startStudio } from './support.mjs';
 
 let browser;
 before(async () => (browser = await launch()));
@@ -55,6 +56,18 @@ test('every answer carries the headers that keep the page to itself', async (t) 
     assert.equal(headers['x-content-type-options'], 'nosniff');
     assert.equal(headers['cross-origin-resource-policy'], 'same-origin');
   }
+});
+
+test('the server is reached from this machine only, on the port that is asked for', { timeout: patience }, async (t) => {
+  const studio = await startStudio(t);
+  assert.match(studio.address, /^http:\/\/127\.0\.0\.1:\d+\/#[0-9a-f]{32}$/);
+  const elsewhere = Object.values(networkInterfaces()).flat().filter(({ internal, family }) => !internal && family === 'IPv4');
+  for (const { address } of elsewhere) await assert.rejects(fetch(`http://${address}:${studio.port}/`, { signal: AbortSignal.timeout(2000) }), address);
+  const refused = await run('studio', '--no-browser', '--port', String(studio.port)).catch((problem) => problem);
+  assert.equal(refused.code, 1);
+  assert.match(refused.stderr, /^inkgrid: [^\n]*port \d+ of '127\.0\.0\.1'[^\n]*\n$/);
+  await studio.stop();
+  assert.equal((await startStudio(t, '--port', String(studio.port))).port, studio.port);
 });
 
 test('no path of the file system is ever opened', async (t) => {

@@ -16,7 +16,7 @@ const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-ba
 
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
 
-export const run = (...words) => promisify(execFile)(program, words, { maxBuffer: 1 << 28 });
+export const run = (...words) => promisify(execFile)(program, words, { maxBuffer: 1 << 28, timeout: patience });
 
 // Waits until what is checked holds: a busy machine draws late.
 export async function eventually(check, what) {
@@ -93,6 +93,20 @@ export class Tab {
 
   async count() {
     return Number(await this.page.textContent('#curve-count'));
+  }
+
+  // Pixels of the colour [r, g, b] that are seen on the stage, or in a part of the page.
+  async countOf(colour, clip) {
+    const png = [...(await (clip ? this.page.screenshot({ clip }) : this.page.locator('#stage').screenshot()))];
+    return this.page.evaluate(async ([bytes, [r, g, b]]) => {
+      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)]));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, 0, picture.width, picture.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) count += data[i] === r && data[i + 1] === g && data[i + 2] === b;
+      return count;
+    }, [png, colour]);
   }
 
   command() {
