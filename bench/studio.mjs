@@ -1,9 +1,10 @@
 #!/usr/bin/env node
 // How long a person waits in the studio: for the first curves of a drawing, and from pen-up to new curves.
 //   bench/studio.mjs PROGRAM NPM_DIRECTORY DRAWING...     (build/inkgrid build/npm fish.png)
-// Times are those of the page, in ms, the drawing of the curves included.  For a curve that is deleted by hand no stage of the
-// method runs: that time is what the studio itself takes.
+// Times are those of the page, in ms, the drawing of the curves included.  Behind each, in brackets, the part of it that the stages
+// of the method took in the same run: the rest is the studio's, whatever else the machine has to do.  The load is that of the system.
 import { readFile } from 'node:fs/promises';
+import { cpus, loadavg } from 'node:os';
 import { basename, resolve } from 'node:path';
 
 const kScribbles = 20, kEdits = 10;
@@ -21,6 +22,12 @@ const run = { after: (end) => endings.push(end) };
 
 // In the page: the time from the last event of a kind to the picture of the curves that answer it.
 function watch() {
+  const ask = window.fetch;
+  window.fetch = async (path, options) => {
+    const answer = await ask(path, options);
+    if (options?.method === 'POST' && /\/solve\?/.test(path)) window.answered = answer.clone();
+    return answer;
+  };
   let since = 0;
   for (const kind of ['pointerup', 'keydown', 'change']) document.addEventListener(kind, () => ((since = performance.now()), (window.waited = 0)), true);
   new MutationObserver(() => {
@@ -29,14 +36,20 @@ function watch() {
   }).observe(document.getElementById('stage'), { attributeFilter: ['aria-busy'] });
 }
 
+const lastRun = (text) => JSON.parse(text.slice(text.lastIndexOf('data: ') + 6).split('\n')[0]);
+
+// How long it took to the curves, and how much of that the stages did, ms.
 async function waited(tab, act) {
   await tab.page.evaluate(() => (window.waited = 0));
   await act();
   await tab.page.waitForFunction(() => window.waited > 0, null, { polling: 20 });
-  return tab.page.evaluate(() => window.waited);
+  const { report } = lastRun(await tab.page.evaluate(() => window.answered.text()));
+  const stages = Object.values(report.seconds).reduce((sum, seconds) => sum + 1000 * seconds, 0);
+  return { time: await tab.page.evaluate(() => window.waited), stages };
 }
 
-const at = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
+const at = (runs, share) => [...runs].sort((a, b) => a.time - b.time)[Math.floor(share * (runs.length - 1))];
+const told = ({ time, stages }) => `${time.toFixed(0).padStart(6)} ${`(${stages.toFixed(0)})`.padEnd(8)}`;
 
 function sequence(seed) {
   return () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
@@ -73,11 +86,11 @@ async function measure(browser, path) {
     await waited(tab, () => tab.page.keyboard.press('Control+z'));
   }
   await studio.stop();
-  const numbers = [first, at(times, 0.5), at(times, 0.9), at(edits, 0.5)].map((time) => time.toFixed(0).padStart(8));
-  console.log(basename(path).padEnd(28), ...numbers, '  ms');
+  console.log(basename(path).padEnd(28), ...[first, at(times, 0.5), at(times, 0.9), at(edits, 0.5)].map(told));
 }
 
-console.log('drawing'.padEnd(28), '   first', '  median', '    90th', '    edit', `  first curves; pen-up to curves, ${kScribbles} scribbles; a curve deleted, ${kEdits} times`);
+console.log(`ms to the curves (of it the method's stages); load ${loadavg()[0].toFixed(1)} on ${cpus().length} cores; ${kScribbles} scribbles, ${kEdits} curves deleted`);
+console.log('drawing'.padEnd(28), ...['first curves', 'pen-up', 'its 90th', 'a deletion'].map((name) => name.padStart(12).padEnd(15)));
 const browser = await launch();
 try {
   for (const path of drawings) await measure(browser, path);
