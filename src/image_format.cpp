@@ -11,9 +11,12 @@
 
 #include "base/bytes.h"
 #include "bmp.h"
+#include "orientation.h"
 
 namespace inkgrid {
 namespace {
+
+using namespace std::string_view_literals;
 
 // Chunks up to the one that closes the file.
 void walk_png(const Bytes& bytes, ImageHeader& header) {
@@ -21,9 +24,11 @@ void walk_png(const Bytes& bytes, ImageHeader& header) {
   header.width = bytes.u32(16, true);
   header.height = bytes.u32(20, true);
   std::size_t at = 8;
-  for (; !bytes.starts_with("IEND", at + 4); at += std::size_t{12} + bytes.u32(at, true))
+  for (; !bytes.starts_with("IEND", at + 4); at += std::size_t{12} + bytes.u32(at, true)) {
     if (bytes.starts_with("pHYs", at + 4) && bytes.u8(at + 16) == per_metre)
       header.pixels_per_mm = bytes.u32(at + 8, true) / 1000.0;
+    if (bytes.starts_with("eXIf", at + 4)) header.orientation = exif_orientation(bytes, at + 8);
+  }
   header.whole = at + 12 <= bytes.size();
 }
 
@@ -41,6 +46,7 @@ void walk_jpeg(const Bytes& bytes, ImageHeader& header) {
       header.height = bytes.u16(at + 5, true);
       header.width = bytes.u16(at + 7, true);
     }
+    if (marker == 0xE1 && bytes.starts_with("Exif\0\0"sv, at + 4)) header.orientation = exif_orientation(bytes, at + 10);
     at += 1 + bytes.u16(at + 2, true);
   }
   header.whole = true;
@@ -61,7 +67,9 @@ std::vector<std::uint32_t> tiff_values(const Bytes& bytes, std::size_t entry, bo
 // All strips or tiles of the first picture lie within the file.
 void walk_tiff(const Bytes& bytes, ImageHeader& header) {
   constexpr std::uint32_t width = 256, height = 257, strip_offsets = 273, strip_sizes = 279, tile_offsets = 324, tile_sizes = 325;
+  constexpr std::uint32_t of_64_bits = 43;
   const bool big = bytes.u8(0) == 'M';
+  if (bytes.u16(2, big) == of_64_bits) header.unread = "a BigTIFF";
   const std::size_t directory = bytes.u32(4, big), entries = bytes.u16(directory, big);
   std::vector<std::uint32_t> offsets, sizes;
   for (std::size_t i = 0; i < entries; ++i) {
@@ -78,7 +86,14 @@ void walk_tiff(const Bytes& bytes, ImageHeader& header) {
 }
 
 void walk_webp(const Bytes& bytes, ImageHeader& header) {
+  constexpr std::uint32_t animated = 2;
+  const std::size_t size = std::size_t{8} + bytes.u32(4, false);
   if (bytes.starts_with("VP8X", 12)) {
+    if (bytes.u8(20) & animated) header.unread = "an animated WebP";
+    for (std::size_t at = 12, length; at + 8 <= std::min(size, bytes.size()); at += 8 + length + length % 2) {
+      length = bytes.u32(at + 4, false);
+      if (bytes.starts_with("EXIF", at)) header.orientation = exif_orientation(bytes, at + 8);
+    }
     header.width = 1 + static_cast<long>(bytes.u32(24, false) & 0xFFFFFF);
     header.height = 1 + static_cast<long>(bytes.u32(27, false) & 0xFFFFFF);
   } else if (bytes.starts_with("VP8L", 12)) {
@@ -88,14 +103,14 @@ void walk_webp(const Bytes& bytes, ImageHeader& header) {
     header.width = bytes.u16(26, false) & 0x3FFF;
     header.height = bytes.u16(28, false) & 0x3FFF;
   }
-  header.whole = std::size_t{8} + bytes.u32(4, false) <= bytes.size();
+  header.whole = size <= bytes.size();
 }
 
 void walk_bmp(const Bytes& bytes, ImageHeader& header) {
   const BmpHeader bmp = bmp_header(bytes);
   header.width = bmp.width;
   header.height = bmp.height;
-  header.readable = bmp.readable;
+  if (!bmp.readable) header.unread = "a compressed BMP";
   header.whole = bmp.pixels_at + bmp.row_bytes * static_cast<std::size_t>(bmp.height) <= bytes.size();
 }
 
@@ -147,11 +162,12 @@ void walk_pnm(const Bytes& bytes, ImageHeader& header) {
 }  // namespace
 
 std::optional<ImageFormat> format_of(std::span<const char> span) {
-  using namespace std::string_view_literals;
   const Bytes bytes(span);
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::png;
   if (bytes.starts_with("\xff\xd8\xff")) return ImageFormat::jpeg;
-  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv)) return ImageFormat::tiff;
+  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
+      bytes.starts_with("MM\0+"sv))
+    return ImageFormat::tiff;
   if (bytes.starts_with("RIFF") && bytes.starts_with("WEBP", 8)) return ImageFormat::webp;
   if (bytes.starts_with("BM")) return ImageFormat::bmp;
   if (bytes.size() > 2 && bytes.u8(0) == 'P' && bytes.u8(1) >= '1' && bytes.u8(1) <= '6') return ImageFormat::pnm;

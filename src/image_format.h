@@ -19,7 +19,8 @@ struct ImageHeader {
   long height = 0;
   double pixels_per_mm = 0;  // PNG only; 0: not said
   bool whole = false;        // the last pixel is there
-  bool readable = true;      // false: a BMP whose pixels are compressed
+  int orientation = 1;       // as in orientation.h
+  const char* unread = "";   // what it is where its kind is not read: "an animated WebP"
 };
 
 ImageHeader header_of(ImageFormat format, std::span<const char> bytes);

@@ -18,6 +18,7 @@
 #include "image_decode.h"
 #include "image_format.h"
 #include "inkgrid/inkgrid.h"
+#include "orientation.h"
 
 namespace inkgrid {
 namespace {
@@ -38,15 +39,15 @@ DecodedImage decode(std::span<const char> bytes, const std::string& name) {
   const std::optional<ImageFormat> format = format_of(bytes);
   if (!format) refuse(quoted(name) + " is not an image that inkgrid reads (PNG, JPEG, TIFF, WebP, BMP, PNM)");
   const ImageHeader header = header_of(*format, bytes);
+  if (*header.unread) refuse(quoted(name) + " is " + header.unread + ", which inkgrid does not read");
   if (header.width <= 0 || header.height <= 0) refuse(damaged);
   if (header.width > kMostPixels / header.height)
     refuse(quoted(name) + " declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
            " pixels, and inkgrid reads at most 400 million");
-  if (!header.readable) refuse(quoted(name) + " is a compressed BMP, which inkgrid does not read");
   if (!header.whole) refuse(damaged);
   std::optional<DecodedImage> image = decode(*format, header, bytes);
   if (!image || image->width <= 0 || image->height <= 0) refuse(damaged);
-  return std::move(*image);
+  return upright(std::move(*image), header.orientation);
 }
 
 struct Rgba {

@@ -245,6 +245,104 @@ TEST(ImageIo, BmpOfManyKinds) {
   EXPECT_EQ(refusal(packed_runs), "'x.png' is a compressed BMP, which inkgrid does not read");
 }
 
+// An Exif block that says how the rows lie, in either order of bytes, behind a tag that says nothing of it.
+std::string exif(int orientation, bool big) {
+  std::string bytes = big ? std::string("MM\0*\0\0\0\x08", 8) : std::string("II*\0\x08\0\0\0", 8);
+  const auto number = [&](int value, int count) {
+    for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> 8 * (big ? count - 1 - i : i) & 255));
+  };
+  number(2, 2);
+  for (const auto& [tag, value] : {std::pair{271, 7}, {274, orientation}}) {
+    number(tag, 2), number(3, 2), number(1, 4);
+    number(value, 2), number(0, 2);
+  }
+  number(0, 4);
+  return bytes;
+}
+
+std::string inserted(std::string bytes, std::size_t at, const std::string& part) {
+  return bytes.insert(at, part);
+}
+
+std::string big_number(std::size_t value, int count) {
+  std::string text;
+  for (int i = count - 1; i >= 0; --i) text.push_back(static_cast<char>(value >> 8 * i & 255));
+  return text;
+}
+
+std::string jpeg_with(const std::string& jpeg, const std::string& exif) {
+  return inserted(jpeg, 2, "\xff\xe1" + big_number(exif.size() + 8, 2) + std::string("Exif\0\0", 6) + exif);
+}
+
+// The checksum is not looked at: the chunk is none that the pixels need.
+std::string png_with(const std::string& png, const std::string& exif) {
+  return inserted(png, 33, big_number(exif.size(), 4) + "eXIf" + exif + std::string(4, '\0'));
+}
+
+std::string webp_with(const std::string& webp, const std::string& exif, char flags = 8) {
+  std::string bytes = "RIFF....WEBPVP8X";
+  put(bytes, 10, 4);
+  put(bytes, static_cast<std::size_t>(flags), 4);
+  put(bytes, kWidth - 1, 3);
+  put(bytes, kHeight - 1, 3);
+  bytes += webp.substr(12);
+  bytes += "EXIF";
+  put(bytes, exif.size(), 4);
+  bytes += exif;
+  std::string size;
+  put(size, bytes.size() - 8, 4);
+  return bytes.replace(4, 4, size);
+}
+
+TEST(ImageIo, PicturesAreTurnedAsTheCameraWasHeld) {
+  const PixOwner pix = colour_pix(colour_at);
+  const int w = kWidth - 1, h = kHeight - 1;
+  // Where pixel (x, y) of the upright picture is stored.
+  const std::function<std::pair<int, int>(int, int)> stored[] = {
+      [](int x, int y) { return std::pair(x, y); },          [&](int x, int y) { return std::pair(w - x, y); },
+      [&](int x, int y) { return std::pair(w - x, h - y); }, [&](int x, int y) { return std::pair(x, h - y); },
+      [](int x, int y) { return std::pair(y, x); },          [&](int x, int y) { return std::pair(y, h - x); },
+      [&](int x, int y) { return std::pair(w - y, h - x); }, [&](int x, int y) { return std::pair(w - y, x); },
+  };
+  for (int orientation = 1; orientation <= 8; ++orientation)
+    for (const bool big : {false, true}) {
+      const std::string block = exif(orientation, big);
+      for (const std::string& bytes : {jpeg_with(encode(pix, IFF_JFIF_JPEG), block), png_with(encode(pix, IFF_PNG), block),
+                                       webp_with(encode_webp(pix), block)}) {
+        SCOPED_TRACE(std::to_string(orientation) + " in " + bytes.substr(bytes[0] == 'R' ? 8 : 1, 3));
+        const Image image = decode_image(bytes, "x");
+        ASSERT_EQ(std::pair(image.width, image.height),
+                  orientation < 5 ? std::pair(kWidth, kHeight) : std::pair(kHeight, kWidth));
+        const Image plain = decode_image(bytes[0] == 'R'      ? encode_webp(pix)
+                                         : bytes[0] == '\x89' ? encode(pix, IFF_PNG)
+                                                              : encode(pix, IFF_JFIF_JPEG),
+                                         "x");
+        for (int y = 0; y < image.height; ++y)
+          for (int x = 0; x < image.width; ++x) {
+            const auto [i, j] = stored[orientation - 1](x, y);
+            ASSERT_EQ(image.grey[static_cast<std::size_t>(y * image.width + x)],
+                      plain.grey[static_cast<std::size_t>(j * kWidth + i)])
+                << x << ", " << y;
+          }
+      }
+    }
+}
+
+TEST(ImageIo, BrokenExifLeavesThePictureAsItIs) {
+  const std::string jpeg = encode(colour_pix(colour_at), IFF_JFIF_JPEG), whole = exif(6, true);
+  const Image plain = decode_image(jpeg, "x");
+  for (std::size_t n = 0; n < whole.size() - 6; ++n)
+    EXPECT_EQ(decode_image(jpeg_with(jpeg, whole.substr(0, n)), "x").grey.size(), plain.grey.size()) << n;
+  for (const int nonsense : {0, 9, 255}) EXPECT_EQ(decode_image(jpeg_with(jpeg, exif(nonsense, false)), "x").grey, plain.grey);
+}
+
+TEST(ImageIo, KindsThatAreNotReadAreNamed) {
+  const auto sentence = [](const std::string& what) { return "'x.png' is " + what + ", which inkgrid does not read"; };
+  EXPECT_EQ(refusal(std::string("II+\0\x08\0\0\0", 8) + std::string(60, '\0')), sentence("a BigTIFF"));
+  EXPECT_EQ(refusal(std::string("MM\0+\0\x08\0\0", 8) + std::string(60, '\0')), sentence("a BigTIFF"));
+  EXPECT_EQ(refusal(webp_with(encode_webp(colour_pix(colour_at)), exif(1, false), 2)), sentence("an animated WebP"));
+}
+
 TEST(ImageIo, PaletteWithAlphaLiesOverWhite) {
   PixOwner pix = grey_pix(2);
   PixColormap* map = pixcmapCreate(2);
