@@ -1,5 +1,6 @@
 """What the scripts here share: the drawings of a corpus, the program run on them, and tables."""
 import csv
+import json
 import os
 import re
 import statistics
@@ -15,6 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ('.png', '.jpg', '.jpeg', '.webp', '.tif', '.tiff', '.bmp')
 NUMBER = re.compile(r'-?[\d.]+(?:e[-+]?\d+)?')
+MEASURES = ('f1', 'f1_half_tolerance', 'duplicate_ratio', 'junction_f1', 'end_f1', 'segments_ratio')   # of inkgrid compare
 MARGIN = 0.5      # sides of the drawing that a control point may lie outside
 
 
@@ -25,6 +27,25 @@ def add_run_arguments(parser, out):
     parser.add_argument('--only', default='', metavar='TEXT', help='only drawings with TEXT in SET/NAME')
     parser.add_argument('--program', type=Path, default=ROOT / 'build' / 'inkgrid', help='default: build/inkgrid of this project')
     parser.add_argument('--timeout', type=float, default=600, metavar='S', help='seconds a drawing (default 600)')
+
+
+def add_thinning_arguments(parser):
+    parser.add_argument('--set', action='append', help='only this set; may be given several times')
+    parser.add_argument('--every', type=int, default=1, metavar='K', help='only every K-th drawing of a set')
+
+
+def check(parser, options):
+    for path in (options.program, options.corpus):
+        if not path.exists():
+            parser.error(f'{path} does not exist')
+    if options.every < 1:
+        parser.error('--every takes a positive number')
+
+
+def selected(options):
+    todo = drawings(options.corpus, options.only)
+    groups = options.set or sorted({group for group, _, _ in todo})
+    return [d for group in groups for d in [d for d in todo if d[0] == group][::options.every]]
 
 
 def truth_of(picture):
@@ -80,6 +101,15 @@ def run(program, picture, svg, extra, timeout):
         svg.replace(svg.with_suffix('.bad'))    # not to be scored
     return dict(exit=process.returncode, seconds=round(time.monotonic() - start, 3), cpu_seconds=round(usage.ru_utime + usage.ru_stime, 3),
                 peak_mb=round(usage.ru_maxrss / 1024), problem=problem)
+
+
+def measured(program, svg, truth):
+    """MEASURES of a result, or the problem that there is with it."""
+    done = subprocess.run([program, 'compare', svg, truth, '--json'], capture_output=True, text=True)
+    if done.returncode:
+        return dict(problem=done.stderr.strip())
+    found = json.loads(done.stdout)
+    return dict({key: found.get(key) for key in MEASURES}, junction_f1=found['junctions']['f1'], end_f1=found['ends']['f1'])
 
 
 def in_parallel(work, items, jobs, name):
