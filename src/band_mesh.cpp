@@ -51,6 +51,67 @@ double mask_factor(const ScaleMask* mask, Vec2 p) {
       mask->factor[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask->width) + static_cast<std::size_t>(x)]);
 }
 
+// The largest factor of a mask near a place.
+class LargestFactor {
+ public:
+  LargestFactor() = default;
+  LargestFactor(const ScaleMask& mask, double radius) : tile_(std::max(16, static_cast<int>(std::ceil(radius)))) {
+    const auto count = [&](int size) { return (size + tile_ - 1) / tile_; };
+    Raster<float> tiles(count(mask.width), count(mask.height));
+    for (int y = 0; y < mask.height; ++y)
+      for (int x = 0; x < mask.width; ++x) {
+        float& tile = tiles(x / tile_, y / tile_);
+        tile = std::max(
+            tile, mask.factor[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x)]);
+      }
+    largest_ = Raster<float>(tiles.width, tiles.height);
+    for (int y = 0; y < tiles.height; ++y)
+      for (int x = 0; x < tiles.width; ++x)
+        for (int v = std::max(0, y - 1); v <= std::min(tiles.height - 1, y + 1); ++v)
+          for (int u = std::max(0, x - 1); u <= std::min(tiles.width - 1, x + 1); ++u)
+            largest_(x, y) = std::max(largest_(x, y), tiles(u, v));
+  }
+
+  double around(Vec2 p) const {
+    const auto tile = [&](double at, int count) { return std::clamp(static_cast<int>(at) / tile_, 0, count - 1); };
+    return static_cast<double>(largest_(tile(p.x, largest_.width), tile(p.y, largest_.height)));
+  }
+
+ private:
+  int tile_ = 1;  // px
+  Raster<float> largest_;
+};
+
+// The corners of triangles: a bit for each lattice point around them.
+class PointSet {
+ public:
+  explicit PointSet(const std::vector<LatticeTriangle>& triangles) {
+    if (triangles.empty()) return;
+    low_ = high_ = triangles[0][0];
+    for (const auto& t : triangles)
+      for (const auto p : t) {
+        low_ = {std::min(low_.i, p.i), std::min(low_.j, p.j)};
+        high_ = {std::max(high_.i, p.i), std::max(high_.j, p.j)};
+      }
+    bits_.assign(static_cast<std::size_t>(high_.i - low_.i + 1) * static_cast<std::size_t>(high_.j - low_.j + 1), false);
+    for (const auto& t : triangles) insert(t);
+  }
+
+  void insert(const LatticeTriangle& t) {
+    for (const auto p : t) bits_[place(p)] = true;
+  }
+  bool contains(LatticePoint p) const { return bits_[place(p)]; }
+
+ private:
+  std::size_t place(LatticePoint p) const {
+    return static_cast<std::size_t>(p.j - low_.j) * static_cast<std::size_t>(high_.i - low_.i + 1) +
+           static_cast<std::size_t>(p.i - low_.i);
+  }
+
+  LatticePoint low_{}, high_{};
+  std::vector<bool> bits_;
+};
+
 // Which triangles the band needs, and how fine.
 class Refinement {
  public:
@@ -65,6 +126,7 @@ class Refinement {
     filled_ = closed_ink(ink, kFilledHole * options.reach * ink.stroke_width + 0.5);
     side_ = finest * options.mesh_size * ink.stroke_width * std::numbers::sqrt3 / 2;
     finest_ = finest;
+    if (levels_ > 0) largest_ = LargestFactor(*mask, 2 * side_ * (1 << levels_));
   }
 
   double side() const { return side_; }
@@ -126,7 +188,8 @@ class Refinement {
   // How many of the next cells of a row are out of reach for sure: the interpolated distance to the ink changes by no more than
   // sqrt 2 px a pixel.
   int clear_cells(Vec2 p, int step) const {
-    const double cell = side_ * step, clear = (bilinear(ink_.gap, p) - far_from_band(cell)) / std::numbers::sqrt2;
+    const double largest = mask_ ? finest_ * (1 << levels_) : 1, cell = side_ * step,
+                 clear = (bilinear(ink_.gap, p) - far_from_band(cell, largest)) / std::numbers::sqrt2;
     return std::max(0, static_cast<int>(clear / cell) - 3);
   }
 
@@ -143,7 +206,8 @@ class Refinement {
       if (in_band(lattice.barycentre(t))) out.push_back(t);
       return;
     }
-    if (bilinear(ink_.gap, lattice.barycentre(t)) > far_from_band(side_ * (1 << level))) return;
+    const Vec2 middle = lattice.barycentre(t);
+    if (bilinear(ink_.gap, middle) > far_from_band(side_ * (1 << level), largest_.around(middle))) return;
     if (level == 0 || fine_enough(lattice, t, level)) {
       out.push_back(t);
       return;
@@ -151,11 +215,8 @@ class Refinement {
     for (const auto& child : quartered(t)) split_where_needed(lattice, child, level - 1, out);
   }
 
-  // Distance to the ink beyond which a triangle with sides of this length has nothing of the band.
-  double far_from_band(double side) const {
-    const double largest = mask_ ? finest_ * (1 << levels_) : 1;
-    return options_.reach * ink_.stroke_width * largest + 4 * side;
-  }
+  // Distance to the ink beyond which a triangle with sides of this length, where factors are no larger, has nothing of the band.
+  double far_from_band(double side, double largest) const { return options_.reach * ink_.stroke_width * largest + 4 * side; }
 
   static std::array<LatticeTriangle, 4> quartered(const LatticeTriangle& t) {
     const auto ab = midpoint(t[0], t[1]), bc = midpoint(t[1], t[2]), ca = midpoint(t[2], t[0]);
@@ -165,34 +226,29 @@ class Refinement {
 
   // Splits triangles with hanging points: three, two quarters ("red"), one a bisection ("green").
   std::vector<LatticeTriangle> conforming(std::vector<LatticeTriangle> leaves) const {
+    PointSet used(leaves);
+    const auto hanging = [&](LatticePoint a, LatticePoint b) {
+      return (a.i + b.i) % 2 == 0 && (a.j + b.j) % 2 == 0 && used.contains(midpoint(a, b));
+    };
     for (;;) {
-      std::vector<LatticePoint> used;
-      for (const auto& t : leaves) used.insert(used.end(), t.begin(), t.end());
-      std::sort(used.begin(), used.end());
-      used.erase(std::unique(used.begin(), used.end()), used.end());
-      const auto hanging = [&](LatticePoint a, LatticePoint b) {
-        if ((a.i + b.i) % 2 != 0 || (a.j + b.j) % 2 != 0) return false;
-        return std::binary_search(used.begin(), used.end(), midpoint(a, b));
-      };
       // A side with points at its quarters too must come from a triangle that is split first.
       const auto deep = [&](LatticePoint a, LatticePoint b) {
         if (!hanging(a, b)) return false;
         const auto m = midpoint(a, b);
         return hanging(a, m) || hanging(m, b);
       };
-      std::vector<LatticeTriangle> next;
-      bool red = false;
+      std::vector<LatticeTriangle> next, split;
       for (const auto& t : leaves) {
         const int sides = hanging(t[0], t[1]) + hanging(t[1], t[2]) + hanging(t[2], t[0]);
         if (sides >= 2 || deep(t[0], t[1]) || deep(t[1], t[2]) || deep(t[2], t[0])) {
-          for (const auto& child : quartered(t)) next.push_back(child);
-          red = true;
+          for (const auto& child : quartered(t)) next.push_back(child), split.push_back(child);
         } else {
           next.push_back(t);
         }
       }
       leaves = std::move(next);
-      if (red) continue;
+      for (const auto& t : split) used.insert(t);
+      if (!split.empty()) continue;
       next.clear();
       for (const auto& t : leaves) bisect_hanging(t, hanging, next);
       return next;
@@ -215,6 +271,7 @@ class Refinement {
   const Ink& ink_;
   Raster<std::uint8_t> filled_;
   const ScaleMask* mask_;
+  LargestFactor largest_;
   const BandOptions& options_;
   int levels_ = 0;
   double side_ = 1;
