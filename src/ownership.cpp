@@ -1,7 +1,7 @@
 #include "ownership.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/sample.h"
 
@@ -18,21 +18,24 @@ namespace {
 class Spread {
  public:
   Spread(Ownership& result, const std::vector<Chain>& chains, const Ink& ink, double reach)
-      : result_(result), ink_(ink), reach_(static_cast<float>(reach)), waiting_(ink.width(), ink.height(), 0) {
+      : owner_(result.owner), state_(static_cast<std::size_t>(ink.width()) * static_cast<std::size_t>(ink.height()), kOutside) {
     for (const Chain& chain : chains) positions_.insert(positions_.end(), chain.points.begin(), chain.points.end());
+    for (std::size_t i = 0; i < state_.size(); ++i)
+      if (ink.gap.data[i] <= static_cast<float>(reach)) state_[i] = kSettled;
   }
 
   void run() {
-    for (int s = 0; s < static_cast<int>(result_.samples.size()); ++s) {
-      const Vec2 p = positions_[static_cast<std::size_t>(s)];
-      offer(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), s);
+    for (int s = 0; s < static_cast<int>(positions_.size()); ++s) {
+      const int x = static_cast<int>(std::floor(position(s).x)), y = static_cast<int>(std::floor(position(s).y));
+      if (owner_.contains(x, y)) offer({x, y}, s);
     }
     for (std::size_t k = 0; k < queue_.size(); ++k) {
       const auto [x, y] = queue_[k];
-      waiting_(x, y) = 0;
-      const int s = result_.owner(x, y);
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) offer(x + dx, y + dy, s);
+      state_[place({x, y})] = kSettled;
+      const int s = owner_(x, y);
+      const int left = std::max(0, x - 1), right = std::min(owner_.width - 1, x + 1);
+      for (int v = std::max(0, y - 1); v <= std::min(owner_.height - 1, y + 1); ++v)
+        for (int u = left; u <= right; ++u) offer({u, v}, s);
     }
   }
 
@@ -40,26 +43,32 @@ class Spread {
   struct Pixel {
     int x, y;
   };
+  enum State : std::uint8_t { kOutside, kSettled, kWaiting };  // waiting: in the queue, with what will be its owner by then
 
-  void offer(int x, int y, int s) {
-    if (!ink_.gap.contains(x, y) || ink_.gap(x, y) > reach_) return;
-    int& owner = result_.owner(x, y);
+  Vec2 position(int s) const { return positions_[static_cast<std::size_t>(s)]; }
+  std::size_t place(Pixel p) const {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(owner_.width) + static_cast<std::size_t>(p.x);
+  }
+
+  void offer(Pixel p, int s) {
+    std::uint8_t& state = state_[place(p)];
+    if (state == kOutside) return;
+    int& owner = owner_.data[place(p)];
     if (owner == s) return;
     if (owner >= 0) {
-      const Vec2 centre{x + 0.5, y + 0.5};
-      const double now = norm2(positions_[static_cast<std::size_t>(owner)] - centre),
-                   then = norm2(positions_[static_cast<std::size_t>(s)] - centre);
+      const Vec2 centre{p.x + 0.5, p.y + 0.5};
+      const double now = norm2(position(owner) - centre), then = norm2(position(s) - centre);
       if (then > now || (then == now && s > owner)) return;
     }
     owner = s;
-    if (!std::exchange(waiting_(x, y), std::uint8_t{1})) queue_.push_back({x, y});
+    if (state == kWaiting) return;
+    state = kWaiting;
+    queue_.push_back(p);
   }
 
-  Ownership& result_;
+  Raster<int>& owner_;
   std::vector<Vec2> positions_;  // of the samples
-  const Ink& ink_;
-  float reach_;
-  Raster<std::uint8_t> waiting_;  // in the queue, with what will be its owner by then
+  std::vector<std::uint8_t> state_;
   std::vector<Pixel> queue_;
 };
 

@@ -32,6 +32,7 @@ constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
+constexpr double kScoutMesh = 0.5;   // strokes
 
 // Seconds of each stage, and a place to stop.
 class Stopwatch {
@@ -304,6 +305,7 @@ JoinedInk ground_of(const Stages& stages, const ScaleMask* mask) {
 }
 
 // A first pass with the usual options, whatever those of this run are: what was drawn for one line is a property of the drawing.
+// Its mesh is coarse, as its chains are only looked at from stroke to stroke.
 Bundles scout_bundles(const Stages& stages, const Control& control) {
   Stages scout;
   const PresetValues values = preset_values(Preset::rough, stages.ink.stroke_width);
@@ -311,6 +313,7 @@ Bundles scout_bundles(const Stages& stages, const Control& control) {
   options.reach = values.reach;
   options.spacing = values.spacing;
   options.gap = values.gap;
+  options.mesh_size = kScoutMesh;
   options.threads = stages.inputs.options.threads;
   scout.ink = stages.ink;
   scout.slim = ground_of(scout, nullptr).ink;
