@@ -50,11 +50,15 @@ auto inside_project(const Arguments& arguments, Action action) {
   }
 }
 
-Stages run_with_progress(const Project& project, const Image& image) {
+// The stages are kept only where pictures of them are asked for.
+Result run_with_progress(const Arguments& arguments, const Project& project, const Image& image) {
   Progress progress;
   Control control;
   control.progress = [&](const char* stage, double fraction) { progress.show(stage, fraction); };
-  return run_project(project, image, control);
+  if (arguments.stages.empty()) return solve_project(project, image, control);
+  Stages stages = run_project(project, image, control);
+  write_stage_pictures(arguments.stages, image, stages);
+  return {std::move(stages.drawing), std::move(stages.report)};
 }
 
 void tell(const Arguments& arguments, const Options& options, const Report& report) {
@@ -82,12 +86,11 @@ std::string portable_text(Project project) {
 void do_job(const Arguments& arguments, const Job& job) {
   const Project project = read_project(arguments, job);
   const Image image = inside_project(arguments, [&] { return project_image(project); });
-  const Stages stages = inside_project(arguments, [&] { return run_with_progress(project, image); });
-  tell(arguments, project.options, stages.report);
-  if (!arguments.stages.empty()) write_stage_pictures(arguments.stages, image, stages);
-  if (!arguments.report.empty()) write_file(arguments.report, report_json(project.options, stages.report));
+  const auto [drawing, report] = inside_project(arguments, [&] { return run_with_progress(arguments, project, image); });
+  tell(arguments, project.options, report);
+  if (!arguments.report.empty()) write_file(arguments.report, report_json(project.options, report));
   if (!arguments.save_project.empty()) write_file(arguments.save_project, portable_text(project));
-  write_outputs(arguments, job, stages.drawing, run_description(project.options, stages.report));
+  write_outputs(arguments, job, drawing, run_description(project.options, report));
 }
 
 // The exit code of what `action` does: 0, or that of the error it ended with, told in one sentence.

@@ -1,6 +1,7 @@
 #include "exact_map.h"
 
 #include <cmath>
+#include <utility>
 
 namespace inkgrid {
 namespace {
@@ -23,18 +24,16 @@ std::int64_t half_integer_coordinate(double value) {
 
 }  // namespace
 
-ExactMap round_map(const GridMap& map) {
+ExactMap round_map(GridMap map) {
   std::vector<IVec2> base(map.base.size());
   for (std::size_t v = 0; v < base.size(); ++v) {
     const Vec2 b = map.base[v];
     base[v] = map.half_integer[v] ? IVec2{half_integer_coordinate(b.x), half_integer_coordinate(b.y)}
                                   : IVec2{regular_coordinate(b.x), regular_coordinate(b.y)};
   }
-  ExactMap exact{std::vector<IVec2>(map.corner_base.size()), map.transitions};
-  for (std::size_t c = 0; c < exact.uv.size(); ++c) {
-    exact.uv[c] =
-        turned(base[static_cast<std::size_t>(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * map.corner_shift[c];
-  }
+  ExactMap exact{std::move(map.corner_shift), std::move(map.transitions)};
+  for (std::size_t c = 0; c < exact.uv.size(); ++c)
+    exact.uv[c] = turned(base[static_cast<std::size_t>(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * exact.uv[c];
   return exact;
 }
 

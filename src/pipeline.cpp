@@ -2,7 +2,6 @@
 #include "pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <string>
 
@@ -18,7 +17,9 @@
 #include "options.h"
 #include "parts.h"
 #include "preset.h"
+#include "run_report.h"
 #include "simplify.h"
+#include "stopwatch.h"
 #include "window.h"
 
 namespace inkgrid {
@@ -34,34 +35,12 @@ constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
 
-// Seconds of each stage, and a place to stop.
-class Stopwatch {
- public:
-  Stopwatch(const Control& control, Report& report) : control_(control), report_(report) {}
+// What a run leaves behind: all that its stages made, for pictures and for running again, or only what the next stages need.
+enum class Keep { stages, result };
 
-  template <class Stage>
-  auto operator()(const char* name, double done, Stage stage) {
-    if (control_.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
-    if (control_.progress) control_.progress(name, done);
-    const auto start = std::chrono::steady_clock::now();
-    auto result = stage();
-    report_.seconds.emplace_back(name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return result;
-  }
-
- private:
-  const Control& control_;
-  Report& report_;
-};
-
-// A control whose progress fills the stretch between two fractions of the whole.
-Control part_of(const Control& control, double from, double to) {
-  Control part = control;
-  if (control.progress)
-    part.progress = [&control, from, to](const char* stage, double fraction) {
-      control.progress(stage, from + fraction * (to - from));
-    };
-  return part;
+template <class... Values>
+void release(Keep keep, Values&... values) {
+  if (keep == Keep::result) ((values = {}), ...);
 }
 
 void validate_input(const Image& image, const ScaleMask* mask) {
@@ -71,47 +50,6 @@ void validate_input(const Image& image, const ScaleMask* mask) {
     throw Error(ErrorCode::usage, "the mask is " + std::to_string(mask->width) + " x " + std::to_string(mask->height) +
                                       " pixels, but the drawing is " + std::to_string(image.width) + " x " +
                                       std::to_string(image.height));
-}
-
-void report_ink(const Ink& ink, const Fills& fills, Report& report) {
-  report.threshold = ink.threshold;
-  report.inverted = ink.inverted;
-  report.stroke_width = ink.stroke_width;
-  report.ink_pixels = ink.pixels;
-  report.fills = fills.count;
-}
-
-void report_mesh(const BandMesh& mesh, Report& report) {
-  report.vertices = mesh.vertex_count();
-  report.triangles = mesh.face_count();
-  report.components = mesh.components;
-  // Euler: vertices - edges + faces = components - holes.
-  int edges = 0;
-  for (std::size_t h = 0; h < mesh.twins.size(); ++h) edges += mesh.twins[h] < static_cast<int>(h);
-  report.holes = mesh.components - (mesh.vertex_count() - edges + mesh.face_count());
-}
-
-void report_map(const FrameField& field, const Charts& charts, const GridMap& map, Report& report) {
-  report.field_rounds = field.rounds;
-  report.degenerate_fraction = field.degenerate_fraction;
-  report.singularities = charts.singularities;
-  report.cuts = map.cuts;
-  report.cut_integers = map.cut_integers;
-  report.snapping_integers = map.snapping_integers;
-  report.alignment_energy = map.alignment_energy;
-  report.snapping_energy = map.snapping_energy;
-  report.fallback_components = static_cast<int>(map.failed_components.size());
-}
-
-void report_leftovers(const Chains& chains, const GridMap& map, double stroke_width, Report& report) {
-  const auto sentence = [](int count, const char* what, const char* fate) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s") + fate;
-  };
-  if (!map.failed_components.empty())
-    report.warnings.push_back(
-        sentence(static_cast<int>(map.failed_components.size()), "part", " of the drawing could not be solved"));
-  if (const int dashes = count_dashes(chains, stroke_width); dashes > 0)
-    report.warnings.push_back(sentence(dashes, "piece", " of ink became a straight mark, because no isoline follows it"));
 }
 
 // What is not resolved: doubles within half a grid cell; spurs and junctions within half a cell, or what a pen can show if that
@@ -237,13 +175,16 @@ BandMesh band_of(const Stages& stages, const ScaleMask* mask) {
 }
 
 // `known`: what is kept of the band's solution, if anything.
-void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control, const Known* known) {
+void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control, const Known* known, Keep keep) {
   const Options& options = stages.inputs.settled;
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
                                    options.field_rounds};
   if (first <= Stage::field)
     stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
   if (first <= Stage::charts) stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known); });
+  report_mesh(stages.mesh, stages.report);
+  report_field(stages.field, stages.charts, stages.report);
+  release(keep, stages.field);
   const LabelOptions label_options{options.label_length, options.label_ratio, options.threads};
   if (first <= Stage::labels)
     stages.labels =
@@ -271,12 +212,13 @@ void run_ink(Stages& stages, Stopwatch& run) {
   stages.ink = run("ink", 0.06, [&] { return measure_ink(std::move(binarisation)); });
 }
 
-Chains chain_on_ink(const Stages& stages, Stopwatch& run) {
+Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   const Options& options = stages.inputs.settled;
   Chains chains = run("chains", 0.94, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
     return chain_strokes(stages.graph, stages.mesh, labels, stages.slim);
   });
+  release(keep, stages.mesh, stages.charts, stages.labels, stages.graph);
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
     return refine_on_ink(chains, stages.slim, stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim,
@@ -286,14 +228,18 @@ Chains chain_on_ink(const Stages& stages, Stopwatch& run) {
   return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
 }
 
-void run_to_chains(Stage first, Stages& stages, Stopwatch& run) {
+void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
+  report_map(stages.map, stages.report);
   if (first <= Stage::isolines) {
-    stages.exact = run("exact map", 0.9, [&] { return round_map(stages.map); });
+    const std::vector<int> failed = stages.map.failed_components;
+    stages.exact = run("exact map", 0.9, [&] { return round_map(keep == Keep::result ? std::move(stages.map) : stages.map); });
     stages.graph = run("isolines", 0.92, [&] {
-      return remove_folds(trace_isolines(stages.mesh, stages.exact, stages.map.failed_components), stages.mesh, stages.exact);
+      return remove_folds(trace_isolines(stages.mesh, stages.exact, failed), stages.mesh, stages.exact);
     });
   }
-  if (first <= Stage::chains) stages.plain = chain_on_ink(stages, run);
+  report_graph(stages.graph, stages.report);
+  release(keep, stages.exact);
+  if (first <= Stage::chains) stages.plain = chain_on_ink(stages, run, keep);
 }
 
 // Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed.
@@ -322,8 +268,8 @@ Bundles scout_bundles(const Stages& stages, const Control& control) {
   within.stop = control.stop;
   if (control.progress) within.progress = [&](const char*, double done) { control.progress("bundles", 0.08 + 0.2 * done); };
   Stopwatch run(within, scout.report);
-  run_to_map(Stage::field, scout, run, within, nullptr);
-  run_to_chains(Stage::isolines, scout, run);
+  run_to_map(Stage::field, scout, run, within, nullptr, Keep::result);
+  run_to_chains(Stage::isolines, scout, run, Keep::result);
   return find_bundles(scout.plain.chains, stages.ink);
 }
 
@@ -361,8 +307,8 @@ Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMa
   Control quiet;
   quiet.stop = control.stop;
   Stopwatch run(quiet, stages.report);
-  run_to_map(Stage::field, stages, run, quiet, &window.known);
-  run_to_chains(Stage::isolines, stages, run);
+  run_to_map(Stage::field, stages, run, quiet, &window.known, Keep::stages);
+  run_to_chains(Stage::isolines, stages, run, Keep::stages);
   move_by(stages.ink.origin, stages);
   stages.ink = {};
   stages.slim = {};
@@ -400,9 +346,11 @@ struct FittedBefore {
   const std::vector<Curve>& curves;
 };
 
-void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control) {
+void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control, Keep keep) {
   if (first <= Stage::bundles && stages.inputs.settled.bundles == BundleMode::join)
     stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
+  const bool measured_anew = stages.bundles.count > 0 || is_slimmed(stages.ink, slim_share(*stages.inputs.settled.spacing));
+  if (measured_anew) release(keep, stages.ink.depth, stages.ink.centre_distance);
   if (first <= Stage::band) {
     JoinedInk ground = run("slim ink", 0.28, [&] { return ground_of(stages, nullptr); });
     stages.slim = std::move(ground.ink);
@@ -410,14 +358,17 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
     const ScaleMask* scale = stages.bundle_scale.factor.empty() ? nullptr : &stages.bundle_scale;
     stages.mesh = run("band", 0.3, [&] { return band_of(stages, scale); });
   }
-  run_to_map(first, stages, run, control, nullptr);
-  run_to_chains(first, stages, run);
+  release(keep, stages.ink.depth, stages.ink.centre_distance, stages.slim.depth, stages.bundle_scale);
+  run_to_map(first, stages, run, control, nullptr, keep);
+  run_to_chains(first, stages, run, keep);
   if (first <= Stage::scribbles)
     stages.chains = run("scribbles", 0.97, [&] {
       Chains chains = reach_fills(with_scribbles(stages, control), stages.fills, 1.5 * stages.ink.stroke_width);
       for (Chain& chain : chains.chains) chain.coverage = ink_coverage(chain, covered_ink(stages));
       return chains;
     });
+  if (!stages.parts.empty()) report_mesh(assembled_mesh(stages), stages.report);
+  report_leftovers(stages.chains, stages.ink.stroke_width, stages.report);
   if (first <= Stage::fit) {
     const FitOptions options = fit_options_of(stages);
     const bool same = options == before.options;
@@ -425,36 +376,20 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
         run("fit", 0.98, [&] { return fit_curves(stages.chains, options, same ? before.curves : std::vector<Curve>{}); });
     stages.drawing.fills = fitted_fills(stages);
   }
+  count_curves(stages.drawing, stages.report);
 }
 
-void report_result(const Stages& stages, Report& report) {
+void report_choice(const Stages& stages, Report& report) {
   const Options& options = stages.inputs.settled;
   report.preset = options.preset == Preset::rough ? "rough" : "clean";
   report.reach = *options.reach;
   report.spacing = *options.spacing;
   report.gap = *options.gap;
   report.bundles = stages.bundles.count;
-  report_mesh(stages.parts.empty() ? stages.mesh : assembled_mesh(stages), report);
-  report_map(stages.field, stages.charts, stages.map, report);
-  report.nodes = static_cast<int>(stages.graph.nodes.size());
-  report.edges = static_cast<int>(stages.graph.edges.size());
-  report_leftovers(stages.chains, stages.map, stages.ink.stroke_width, report);
-  count_curves(stages.drawing, report);
 }
 
-}  // namespace
-
-const Ink& covered_ink(const Stages& stages) {
-  return stages.bundles.count > 0 ? stages.slim : stages.ink;
-}
-
-void count_curves(const Drawing& drawing, Report& report) {
-  report.curves = static_cast<int>(drawing.curves.size());
-  report.segments = 0;
-  for (const Curve& curve : drawing.curves) report.segments += static_cast<int>(curve.segments.size());
-}
-
-void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control) {
+// As rerun_stages; only where all is kept `stages` may hold stages of an earlier run.
+void run_again(Stages& stages, const Image& image, const Options& options, const Control& control, Keep keep) {
   validate(options);
   validate_input(image, control.mask);
   Stages made;
@@ -467,22 +402,34 @@ void rerun_stages(Stages& stages, const Image& image, const Options& options, co
   if (!blank) settle(made.inputs, stages.inputs, ink);
   const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
   const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
+  release(keep, made.inputs.image);
+  if (made.fills.count == 0) release(keep, made.fills.region);
   move_kept(first, stages, made);
   if (Stage::chains < first) made.parts = stages.parts;  // of use as long as what they are parts of is the same
+  report_ink(made.ink, made.fills, made.report);
   try {
-    if (!blank) run_from(first, made, before, run, control);
+    if (!blank) run_from(first, made, before, run, control, keep);
   } catch (...) {
     move_kept(first, made, stages);
     throw;
   }
-  report_ink(made.ink, made.fills, made.report);
-  if (!blank) report_result(made, made.report);
+  if (!blank) report_choice(made, made.report);
   if (blank && made.fills.count == 0) made.report.warnings = {"the drawing holds no ink: the result is empty"};
   if (blank) made.drawing.fills = fitted_fills(made);
   made.drawing.width = image.width;
   made.drawing.height = image.height;
   made.drawing.pixels_per_mm = image.pixels_per_mm;
   stages = std::move(made);
+}
+
+}  // namespace
+
+const Ink& covered_ink(const Stages& stages) {
+  return stages.bundles.count > 0 ? stages.slim : stages.ink;
+}
+
+void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control) {
+  run_again(stages, image, options, control, Keep::stages);
 }
 
 Stages run_stages(const Image& image, const Options& options, const Control& control) {
@@ -492,7 +439,8 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
 }
 
 Result vectorize(const Image& image, const Options& options, const Control& control) {
-  Stages stages = run_stages(image, options, control);
+  Stages stages;
+  run_again(stages, image, options, control, control.mask ? Keep::stages : Keep::result);
   return {std::move(stages.drawing), std::move(stages.report)};
 }
 

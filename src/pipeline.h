@@ -61,7 +61,4 @@ Stages run_stages(const Image& image, const Options& options, const Control& con
 // throws, the stages are as they were.
 void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control);
 
-// Puts the numbers of curves and segments into the report.
-void count_curves(const Drawing& drawing, Report& report);
-
 }  // namespace inkgrid

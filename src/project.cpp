@@ -1,6 +1,7 @@
 #include "project.h"
 
 #include "image_io.h"
+#include "run_report.h"
 
 namespace inkgrid {
 namespace {
@@ -8,6 +9,14 @@ namespace {
 // A sentence about the edits that did nothing.
 std::string missed_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " hand edit" : " hand edits") + " found no curve at the place it is meant for";
+}
+
+template <class Run>
+auto run_masked(const Project& project, const Image& image, const Control& control, Run run) {
+  const std::optional<ScaleMask> mask = project_mask(project, image);
+  Control masked = control;
+  masked.mask = mask ? &*mask : nullptr;
+  return run(image, project.options, masked);
 }
 
 }  // namespace
@@ -34,12 +43,15 @@ void apply_hand_edits(std::span<const Edit> edits, Drawing& drawing, Report& rep
 }
 
 Stages run_project(const Project& project, const Image& image, const Control& control) {
-  const std::optional<ScaleMask> mask = project_mask(project, image);
-  Control masked = control;
-  masked.mask = mask ? &*mask : nullptr;
-  Stages stages = run_stages(image, project.options, masked);
+  Stages stages = run_masked(project, image, control, run_stages);
   apply_hand_edits(project.edits, stages.drawing, stages.report);
   return stages;
+}
+
+Result solve_project(const Project& project, const Image& image, const Control& control) {
+  Result result = run_masked(project, image, control, vectorize);
+  apply_hand_edits(project.edits, result.drawing, result.report);
+  return result;
 }
 
 }  // namespace inkgrid

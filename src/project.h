@@ -48,4 +48,7 @@ void apply_hand_edits(std::span<const Edit> edits, Drawing& drawing, Report& rep
 // `image` is project_image(project); the mask of `control` is not used.
 Stages run_project(const Project& project, const Image& image, const Control& control);
 
+// The same result in less memory.
+Result solve_project(const Project& project, const Image& image, const Control& control);
+
 }  // namespace inkgrid

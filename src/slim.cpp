@@ -116,26 +116,37 @@ void peel(Raster<std::uint8_t>& mask, const Raster<float>& level, const Raster<f
   }
 }
 
+// Slims the strokes; what is left above the new rim, px, and below it less than 0.
+Raster<float> peeled(Raster<std::uint8_t>& mask, double share) {
+  const Raster<float> depth = depth_of(mask);
+  Raster<float> level = thickness_of(depth);
+  const double usual = usual_radius(depth, level);
+  for (std::size_t i = 0; i < level.data.size(); ++i)
+    level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(level.data[i]), usual, share));
+  peel(mask, level, depth);
+  return level;
+}
+
 }  // namespace
 
 double slim_share(double spacing) {
   return std::min(1.0, spacing / kCellOfPen);
 }
 
-Ink slim_ink(const Ink& ink, double share) {
+bool is_slimmed(const Ink& ink, double share) {
   const bool solid = ink.pixels == static_cast<long>(ink.mask.data.size());
-  if (share >= 1 || ink.pixels == 0 || solid) return ink;
-  const Raster<float> depth = depth_of(ink.mask);
-  const Raster<float> thickness = thickness_of(depth);
-  const double usual = usual_radius(depth, thickness);
-  Raster<float> level(depth.width, depth.height);
-  for (std::size_t i = 0; i < level.data.size(); ++i)
-    level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(thickness.data[i]), usual, share));
-  Binarisation slim{ink.mask, Raster<float>(depth.width, depth.height), ink.threshold, ink.inverted};
-  peel(slim.ink, level, depth);
-  for (std::size_t i = 0; i < level.data.size(); ++i)
-    slim.darkness.data[i] = slim.ink.data[i] ? std::max(0.5F, std::min(1.0F, level.data[i] + 0.5F))
-                                             : (ink.mask.data[i] ? std::clamp(level.data[i] + 0.5F, 0.0F, 0.5F) : 0.0F);
+  return share < 1 && ink.pixels > 0 && !solid;
+}
+
+Ink slim_ink(const Ink& ink, double share) {
+  if (!is_slimmed(ink, share)) return ink;
+  Binarisation slim{ink.mask, {}, ink.threshold, ink.inverted};
+  slim.darkness = peeled(slim.ink, share);
+  for (std::size_t i = 0; i < slim.darkness.data.size(); ++i) {
+    float& dark = slim.darkness.data[i];
+    dark = slim.ink.data[i] ? std::max(0.5F, std::min(1.0F, dark + 0.5F))
+                            : (ink.mask.data[i] ? std::clamp(dark + 0.5F, 0.0F, 0.5F) : 0.0F);
+  }
   return measure_ink(std::move(slim));
 }
 

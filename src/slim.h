@@ -15,4 +15,7 @@ double slim_share(double spacing);
 // from the rim inwards, never through.  Strokes more than twice as wide as the pen become as slim as the others.
 Ink slim_ink(const Ink& ink, double share);
 
+// Whether slim_ink changes anything.
+bool is_slimmed(const Ink& ink, double share);
+
 }  // namespace inkgrid

@@ -8,6 +8,7 @@
 #include "inkgrid/session.h"
 #include "pipeline.h"
 #include "printing.h"
+#include "report_json.h"
 
 namespace inkgrid {
 namespace {
@@ -325,6 +326,28 @@ TEST(Session, IsVectorizeWithAMemory) {
   const Result looser = session.run(with("tolerance", "0.3"));
   EXPECT_EQ(looser.report.seconds.size(), 1u);
   expect_equal(looser.drawing, vectorize(image, with("tolerance", "0.3")).drawing);
+}
+
+// All that is told of a run but how long it took.
+std::string told(Report report) {
+  report.seconds.clear();
+  return report_json(usual(), report);
+}
+
+TEST(Vectorize, IsTheSameWhereNoStageIsKept) {
+  Image ink = blank(40, 40, 0), speck = blank(40, 40);
+  paint(speck, {{20, 20}, {20, 20}}, 4);
+  for (const Image& image : {drawing(), ink, blank(40, 40), speck})
+    for (const Options& options :
+         {usual(), with("preset", "rough"), with("bundles", "join"), with("spacing", "0.5"), with("fills", "trace")}) {
+      const Stages kept = run_stages(image, options, {});
+      const Result result = vectorize(image, options);
+      Numbers found, expected;
+      found.add(result.drawing.curves);
+      expected.add(kept.drawing.curves);
+      EXPECT_TRUE(found.values() == expected.values());
+      EXPECT_EQ(told(result.report), told(kept.report));
+    }
 }
 
 TEST(CurveIds, AreDifferentAndSurviveAnotherFit) {
