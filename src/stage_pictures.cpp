@@ -127,19 +127,17 @@ void draw_isoline(Painter& painter, const GraphEdge& edge) {
   }
 }
 
+void draw_nodes(Painter& painter, const IsolineGraph& graph, NodeKind kind, double radius, Colour colour) {
+  for (const GraphNode& node : graph.nodes)
+    if (node.kind == kind) painter.disc(node.position, radius, colour);
+}
+
+// Where isolines leave the band matters least.
 void draw_grid(Painter& painter, const Stages& stages) {
+  draw_nodes(painter, stages.graph, NodeKind::boundary, 1.5, kBoundaryNode);
   for (const GraphEdge& edge : stages.graph.edges) draw_isoline(painter, edge);
-  for (const GraphNode& node : stages.graph.nodes) switch (node.kind) {
-      case NodeKind::grid:
-        painter.disc(node.position, 3, kMark);
-        break;
-      case NodeKind::singular:
-        painter.disc(node.position, 6, kJunction);
-        break;
-      case NodeKind::boundary:
-        painter.disc(node.position, 1.5, kBoundaryNode);
-        break;
-    }
+  draw_nodes(painter, stages.graph, NodeKind::grid, 3, kMark);
+  draw_nodes(painter, stages.graph, NodeKind::singular, 6, kJunction);
 }
 
 void draw_chains(Painter& painter, const Stages& stages) {

@@ -91,6 +91,22 @@ test('every control has a name, every layer and setting a sentence', { timeout: 
   assert.equal(await tab.page.textContent('#hint'), await tab.page.textContent('#layer-band-help'));
 });
 
+test('on a phone the drawing is above the tools, and all of them are within reach', { timeout: patience }, async (t) => {
+  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  await tab.page.setViewportSize({ width: 390, height: 844 });
+  await tab.opened('cross.png', cross());
+  const place = await tab.placer(240, 180), [left, top] = place([0, 0]), [right, bottom] = place([240, 180]);
+  assert.ok(right - left > 240 && bottom - top > 150, `${right - left} x ${bottom - top} px`);
+  const [dock, stage] = [await tab.page.locator('.dock').boundingBox(), await tab.page.locator('#stage').boundingBox()];
+  assert.ok(bottom <= dock.y && top >= stage.y, 'the drawing is not covered');
+  assert.equal(await tab.page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.deepEqual(await tab.page.evaluate(small), []);
+  for (const button of await tab.page.locator('.dock button:visible, .bar button:visible').all()) {
+    const box = await button.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390, await button.textContent());
+  }
+});
+
 test('what happens is told in live regions', { timeout: patience }, async (t) => {
   const tab = await openTab(t, browser, (await startStudio(t)).address);
   assert.equal(await tab.page.getAttribute('#said', 'aria-live'), 'polite');
