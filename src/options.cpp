@@ -56,7 +56,7 @@ constexpr std::array kTable{
     OptionRow{"label-ratio", &Options::label_ratio, Stage::labels, "", 0, 0.5, "6.1",
               "above this share of ink the weaker direction is as good"},
     OptionRow{"spacing", &Options::spacing, Stage::map, "strokes", 0.1, 100, "6.2",
-              "distance of grid lines; nearer strokes merge (lambda)"},
+              "distance of grid lines; nearer strokes merge, and below 0.7 strokes are slimmed first (lambda)"},
     OptionRow{"snap", &Options::snap, Stage::map, "", 0, 1e6, "6.2", "weight that draws strokes to grid lines (mu)"},
     OptionRow{"snap-sigma", &Options::snap_sigma, Stage::map, "half-widths", 0.01, 10, "6.2",
               "how far from its centre line a stroke snaps (sigma)"},

@@ -195,12 +195,7 @@ TEST_P(EachOption, IsFirstReadByItsStage) {
   EXPECT_EQ(first_stage_changed(first, changed), GetParam().stage);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EachOption, ::testing::ValuesIn(option_table().begin(), option_table().end()),
-                         [](const auto& row) {
-                           std::string name(row.param.name);
-                           std::erase(name, '-');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Table, EachOption, ::testing::ValuesIn(option_table().begin(), option_table().end()));
 
 std::set<std::string> stages_run(const Stages& stages) {
   std::set<std::string> names;

@@ -24,7 +24,7 @@ export function helpDialog(dialog, keyboard) {
   const rows = [...kTools.map((tool) => [tool.letter.toUpperCase(), `${tool.title}: ${tool.help}`]), ...kKeys];
   dialog.replaceChildren(
     element('form', { method: 'dialog' },
-      element('h2', { id: 'help-title' }, 'Tools and keys'),
+      element('h2', { id: 'help-title', tabIndex: -1, autofocus: true }, 'Tools and keys'),
       element('table', {}, ...rows.map(([key, what]) => element('tr', {}, element('th', { scope: 'row' }, key), element('td', {}, what)))),
       element('p', {}, 'A wheel zooms; drag with Look, with two fingers or with the right button to move. Everything stays on this machine.'),
       element('p', { className: 'switch' }, letters, element('label', { for: 'letters' }, ' Single letters are keys')),

@@ -71,6 +71,7 @@ test('text and controls stand out, in the light and in the dark', { timeout: pat
   await everywhere('exporting');
   await tab.page.keyboard.press('Escape');
   await tab.page.click('#help');
+  assert.equal(await tab.page.locator('#help-dialog').evaluate((dialog) => dialog.scrollTop), 0, 'its beginning is shown');
   await everywhere('helping');
 });
 

@@ -50,7 +50,7 @@ export async function scratch(t) {
 
 // A tab that fails the test when the page does.
 export async function openTab(t, browser, address) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] });
+  const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] });
   t.after(() => context.close());
   const page = await context.newPage();
   page.setDefaultTimeout(patience);
