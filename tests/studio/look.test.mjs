@@ -95,6 +95,8 @@ test('every control has a name, every layer and setting a sentence', { timeout: 
 test('on a phone the drawing is above the tools, and all of them are within reach', { timeout: patience }, async (t) => {
   const tab = await openTab(t, browser, (await startStudio(t)).address);
   await tab.page.setViewportSize({ width: 390, height: 844 });
+  const last = await tab.page.locator('#samples li').last().boundingBox();
+  assert.ok(last.y + last.height < 844, 'all samples are seen at the beginning');
   await tab.opened('cross.png', cross());
   const place = await tab.placer(240, 180), [left, top] = place([0, 0]), [right, bottom] = place([240, 180]);
   assert.ok(right - left > 240 && bottom - top > 150, `${right - left} x ${bottom - top} px`);
