@@ -90,15 +90,21 @@ void measure_scribbles(const Image& image, const Options& options, const Stages&
               median(times) / full, times.back(), local, count);
 }
 
+std::string settled_text(const Stages& stages, const OptionRow& row, double factor) {
+  const double value = std::stod(option_text(stages.inputs.settled, row)) * factor;
+  return std::to_string(value).substr(0, row.name == "coverage-bins" ? 1 : 8);
+}
+
+// As a slider is dragged: the value is given already, and becomes another one.
 void measure_options(const Image& image, const Options& options, const Stages& plain, double full) {
   const std::pair<const char*, double> kChanges[] = {{"reach", 1.1}, {"spacing", 1.1}, {"coverage-bins", 2}, {"tolerance", 1.1}};
   for (const auto& [name, factor] : kChanges) {
-    Options changed = options;
     const OptionRow& row = option_row(name);
-    set_option(changed, row,
-               std::to_string(std::stod(option_text(plain.inputs.settled, row)) * factor)
-                   .substr(0, row.name == "coverage-bins" ? 1 : 8));
+    Options given = options, changed = options;
+    set_option(given, row, settled_text(plain, row, 1));
+    set_option(changed, row, settled_text(plain, row, factor));
     Stages stages = plain;
+    rerun_stages(stages, image, given, {});
     const double time = timed([&] { rerun_stages(stages, image, changed, {}); });
     std::printf("  %-18s %8.3f s  %6.3f of the run\n", name, time, time / full);
   }

@@ -1,6 +1,7 @@
 #include "needles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "polyline.h"
 
@@ -9,6 +10,16 @@ namespace {
 
 constexpr double kTurnsBack = -0.5;  // cosine of the turn
 constexpr double kSide = 0.75;       // px to either side of a turn
+constexpr double kBlot = 2.5;        // distances around a junction that its own ink covers
+constexpr double kBlend = 2;         // misses before the end, the path leaves for it
+
+// Of the turn at point k.
+double cosine_at(const std::vector<Vec2>& points, const std::vector<double>& lengths, std::size_t k) {
+  std::size_t before = k - 1, after = k + 1;
+  while (before > 0 && lengths[k] - lengths[before] < kSide) --before;
+  while (after + 1 < points.size() && lengths[after] - lengths[k] < kSide) ++after;
+  return dot(unit(points[k] - points[before]), unit(points[after] - points[k]));
+}
 
 class Needles {
  public:
@@ -16,7 +27,7 @@ class Needles {
       : points_(points), lengths_(lengths_along(points)), distance2_(distance * distance), longest_(longest) {
     double sharpest = kTurnsBack;
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
-      const double cosine = cosine_at(k);
+      const double cosine = cosine_at(points, lengths_, k);
       if (cosine >= kTurnsBack) continue;
       const bool same = !turns_.empty() && lengths_[k] - lengths_[turns_.back()] < kSide;
       if (same && cosine >= sharpest) continue;
@@ -42,13 +53,6 @@ class Needles {
  private:
   std::vector<Vec2>::const_iterator at(std::size_t k) const { return points_.begin() + static_cast<std::ptrdiff_t>(k); }
 
-  double cosine_at(std::size_t k) const {
-    std::size_t before = k - 1, after = k + 1;
-    while (before > 0 && lengths_[k] - lengths_[before] < kSide) --before;
-    while (after + 1 < points_.size() && lengths_[after] - lengths_[k] < kSide) ++after;
-    return dot(unit(points_[k] - points_[before]), unit(points_[after] - points_[k]));
-  }
-
   // The last turn that may follow this one right away; or this one.
   std::size_t farthest_return(std::size_t turn) const {
     const std::size_t first = turns_[turn];
@@ -71,7 +75,86 @@ class Needles {
   std::vector<std::size_t> turns_;
 };
 
+// The first point from the end at which the path turns back on its last `longest` px; its last point where there is none.
+std::size_t hook_at_end(const std::vector<Vec2>& points, const std::vector<double>& lengths, double longest) {
+  std::size_t found = points.size() - 1;
+  for (std::size_t k = points.size() - 2; k > 0 && lengths.back() - lengths[k] <= longest; --k)
+    if (cosine_at(points, lengths, k) < kTurnsBack) found = k;
+  return found;
+}
+
+struct Box {
+  Vec2 low{1e30, 1e30}, high{-1e30, -1e30};
+
+  void add(Vec2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  bool is_near(Vec2 p, double distance) const {
+    return p.x > low.x - distance && p.x < high.x + distance && p.y > low.y - distance && p.y < high.y + distance;
+  }
+};
+
+class Hooks {
+ public:
+  Hooks(Chains chains, double distance, double longest)
+      : chains_(std::move(chains)), boxes_(chains_.chains.size()), distance_(distance), longest_(longest) {
+    for (std::size_t c = 0; c < boxes_.size(); ++c)
+      for (const Vec2 p : chains_.chains[c].points) boxes_[c].add(p);
+  }
+
+  Chains dropped() {
+    for (std::size_t c = 0; c < boxes_.size(); ++c) {
+      Chain& chain = chains_.chains[c];
+      if (chain.closed) continue;
+      if (chain.end_junction >= 0) straighten(c);
+      if (chain.start_junction < 0) continue;
+      std::reverse(chain.points.begin(), chain.points.end());
+      straighten(c);
+      std::reverse(chain.points.begin(), chain.points.end());
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  // The path goes straight to its last point from where it is on the way there, rather than past it and back.
+  void straighten(std::size_t chain) {
+    std::vector<Vec2>& points = chains_.chains[chain].points;
+    if (points.size() < 3) return;
+    const Vec2 end = points.back();
+    const auto lengths = lengths_along(points);
+    const std::size_t turn = hook_at_end(points, lengths, longest_);
+    if (turn + 1 == points.size()) return;
+    std::size_t foot = turn;
+    for (std::size_t k = turn; k-- > 0 && lengths[turn] - lengths[k] <= longest_;)
+      if (norm(points[k] - end) < norm(points[foot] - end)) foot = k;
+    const double miss = norm(points[foot] - end);
+    if (foot == turn || miss > distance_) return;
+    if (norm(points[turn] - end) > kBlot * distance_ && !others_cover(chain, points[turn])) return;
+    while (foot > 0 && norm(points[foot] - end) < kBlend * miss) --foot;
+    points.resize(foot + 1);
+    points.push_back(end);
+  }
+
+  bool others_cover(std::size_t chain, Vec2 p) const {
+    for (std::size_t c = 0; c < boxes_.size(); ++c) {
+      if (c == chain || !boxes_[c].is_near(p, distance_)) continue;
+      const auto& points = chains_.chains[c].points;
+      if (std::any_of(points.begin(), points.end(), [&](Vec2 q) { return norm2(p - q) <= distance_ * distance_; })) return true;
+    }
+    return false;
+  }
+
+  Chains chains_;
+  std::vector<Box> boxes_;     // of the chains
+  double distance_, longest_;  // px
+};
+
 }  // namespace
+
+Chains drop_hooks(Chains chains, double distance, double longest) {
+  return Hooks(std::move(chains), distance, longest).dropped();
+}
 
 Chains drop_needles(Chains chains, double distance, double longest) {
   for (Chain& chain : chains.chains) chain.points = Needles(chain.points, distance, longest).dropped();

@@ -12,4 +12,8 @@ namespace inkgrid {
 // turns back, where the rest of the chain is nowhere further away than that: what is left stands for the same ink.
 Chains drop_needles(Chains chains, double distance, double longest);
 
+// Chains that pass a junction by at most `distance`, turn back within the last `longest` px, next to it or at most
+// `distance` from another chain, and end in it, go there on their way.
+Chains drop_hooks(Chains chains, double distance, double longest);
+
 }  // namespace inkgrid

@@ -30,6 +30,7 @@ constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pe
 constexpr double kLongestRung = 3;   // of the slimmed stroke
 constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
 constexpr double kTrimmed = 2.5;     // of the pen
+constexpr double kLongestHook = 2;   // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
@@ -105,7 +106,8 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   Chains located =
       locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, (fine ? kLongestBlot : 1.5) * pen});
   located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
-  located = drop_spurs(drop_needles(std::move(located), kSeenOfPen * pen, 2 * corners.longest), resolution.spur);
+  located = drop_needles(std::move(located), kSeenOfPen * pen, 2 * corners.longest);
+  located = drop_spurs(drop_hooks(std::move(located), kSeenOfPen * pen, kLongestHook * pen), resolution.spur);
   // A grid wider than the pen is asked for where strokes are drawn over and too far.
   return spacing > 1 ? drop_overshoots(std::move(located), kOvershoot * width) : located;
 }

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "needles.h"
 #include "polyline.h"
 
@@ -53,6 +56,38 @@ TEST(Needles, WhatTheRestDoesNotCoverStays) {
 TEST(Needles, LongWaysStay) {
   const Chains there_and_back = one_chain({{0, 60}, {10, 10}, {10.2, 60}, {10.4, 10.3}, {20, 60}});
   EXPECT_EQ(drop_needles(there_and_back, 2, 80).chains[0].points, there_and_back.chains[0].points);
+}
+
+TEST(Hooks, AChainEndsInItsJunctionOnItsWay) {
+  Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
+  chains.chains[0].end_junction = 0;
+  chains.chains.push_back(chains.chains[0]);
+  std::reverse(chains.chains[1].points.begin(), chains.chains[1].points.end());
+  std::swap(chains.chains[1].start_junction, chains.chains[1].end_junction);
+  const Chains ended = drop_hooks(chains, 2, 8);
+  for (const auto& [chain, first, last] :
+       {std::tuple{ended.chains[0], Vec2{0, 0}, Vec2{46.5, 0.8}}, std::tuple{ended.chains[1], Vec2{46.5, 0.8}, Vec2{0, 0}}}) {
+    EXPECT_EQ(chain.points.front(), first);
+    EXPECT_EQ(chain.points.back(), last);
+    for (std::size_t k = 1; k < chain.points.size(); ++k)
+      EXPECT_GT((last.x - first.x) * (chain.points[k].x - chain.points[k - 1].x), 0);
+  }
+}
+
+TEST(Hooks, OtherEndsStay) {
+  Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
+  EXPECT_EQ(drop_hooks(chains, 2, 8).chains[0].points, chains.chains[0].points) << "no junction";
+  chains.chains[0].end_junction = 0;
+  EXPECT_EQ(drop_hooks(chains, 0.5, 8).chains[0].points, chains.chains[0].points) << "passes it too far away";
+  EXPECT_EQ(drop_hooks(chains, 2, 3).chains[0].points, chains.chains[0].points) << "turns back too far from it";
+  Chains tip = one_chain({{0, 0}, {50, 0}, {40, 0.8}});
+  tip.chains[0].end_junction = 0;
+  EXPECT_EQ(drop_hooks(tip, 2, 20).chains[0].points, tip.chains[0].points) << "the tip of a corner beside a junction";
+  tip.chains.push_back(one_chain({{40, 0.8}, {60, -1}}).chains[0]);
+  EXPECT_LT(drop_hooks(tip, 2, 20).chains[0].points.size(), tip.chains[0].points.size()) << "which another chain walks, too";
+  Chains corner = one_chain({{0, 0}, {50, 0}, {50, 5}});
+  corner.chains[0].end_junction = 0;
+  EXPECT_EQ(drop_hooks(corner, 2, 8).chains[0].points, corner.chains[0].points);
 }
 
 }  // namespace
