@@ -328,6 +328,35 @@ TEST(ImageIo, PicturesAreTurnedAsTheCameraWasHeld) {
     }
 }
 
+// Greys in one strip, and a directory behind them.
+std::string tiff_lying(int orientation) {
+  std::string bytes("II*\0", 4);
+  const std::size_t pixels = static_cast<std::size_t>(kWidth * kHeight);
+  put(bytes, 8 + pixels + pixels % 2, 4);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) put(bytes, static_cast<std::size_t>(luma(colour_at(x, y))), 1);
+  if (pixels % 2) put(bytes, 0, 1);
+  const std::pair<std::size_t, std::size_t> entries[] = {
+      {256, kWidth}, {257, kHeight}, {258, 8},     {259, 1}, {262, 1}, {273, 8}, {274, static_cast<std::size_t>(orientation)},
+      {277, 1},      {278, kHeight}, {279, pixels}};
+  put(bytes, std::size(entries), 2);
+  for (const auto& [tag, value] : entries) put(bytes, tag, 2), put(bytes, 4, 2), put(bytes, 1, 4), put(bytes, value, 4);
+  put(bytes, 0, 4);
+  return bytes;
+}
+
+TEST(ImageIo, ATiffIsTurnedByItsOwnTag) {
+  const Image plain = decode_image(tiff_lying(1), "x");
+  expect_pixels(plain, [](int x, int y) { return luma(colour_at(x, y)); });
+  const Image over_head = decode_image(tiff_lying(3), "x"), clockwise = decode_image(tiff_lying(6), "x");
+  EXPECT_TRUE(std::equal(plain.grey.rbegin(), plain.grey.rend(), over_head.grey.begin()));
+  ASSERT_EQ(std::pair(clockwise.width, clockwise.height), std::pair(kHeight, kWidth));
+  for (int y = 0; y < kWidth; ++y)
+    for (int x = 0; x < kHeight; ++x)
+      ASSERT_EQ(clockwise.grey[static_cast<std::size_t>(y * kHeight + x)],
+                plain.grey[static_cast<std::size_t>((kHeight - 1 - x) * kWidth + y)]);
+}
+
 TEST(ImageIo, BrokenExifLeavesThePictureAsItIs) {
   const std::string jpeg = encode(colour_pix(colour_at), IFF_JFIF_JPEG), whole = exif(6, true);
   const Image plain = decode_image(jpeg, "x");
