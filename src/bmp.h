@@ -1,6 +1,6 @@
-// What:   uncompressed Windows bitmaps: 1, 2, 4, 8, 16, 24 and 32 bits, palettes, bit fields, rows in either direction.
+// What:   Windows bitmaps: 1, 2, 4, 8, 16, 24 and 32 bits, palettes, runs of 4 and 8 bits, bit fields, rows in either direction.
 // Source: the file format (headers of 12, 40, 52 and more bytes).
-// Differs: run-length compression is not read.
+// Differs: a JPEG or PNG inside is not read.
 // Cost:   one pass over the pixels.
 #pragma once
 
@@ -20,6 +20,7 @@ struct BmpHeader {
   long height = 0;
   bool top_down = false;
   bool readable = false;
+  bool in_runs = false;
   std::size_t bits = 0;       // a pixel
   std::size_t row_bytes = 0;  // with filling
   std::size_t pixels_at = 0;  // places in the file

@@ -111,7 +111,9 @@ void walk_bmp(const Bytes& bytes, ImageHeader& header) {
   header.width = bmp.width;
   header.height = bmp.height;
   if (!bmp.readable) header.unread = "a compressed BMP";
-  header.whole = bmp.pixels_at + bmp.row_bytes * static_cast<std::size_t>(bmp.height) <= bytes.size();
+  // Where runs end is seen when they are read.
+  const std::size_t least = bmp.in_runs ? 2 : bmp.row_bytes * static_cast<std::size_t>(bmp.height);
+  header.whole = bmp.pixels_at + least <= bytes.size();
 }
 
 bool is_space(std::uint32_t c) {

@@ -240,9 +240,46 @@ TEST(ImageIo, BmpOfManyKinds) {
   const auto half = [](int, int) { return 0x80000000u; };
   expect_pixels(
       decode_image(bmp(108, 32, {0xFF0000, 0xFF00, 0xFF, 0xFF000000}, false, half), "x"), [](int, int) { return 127; }, 1);
-  std::string packed_runs = bmp(40, 24, {}, false, packed);
-  packed_runs[30] = 1;
-  EXPECT_EQ(refusal(packed_runs), "'x.png' is a compressed BMP, which inkgrid does not read");
+  std::string with_jpeg_inside = bmp(40, 24, {}, false, packed);
+  with_jpeg_inside[30] = 4;
+  EXPECT_EQ(refusal(with_jpeg_inside), "'x.png' is a compressed BMP, which inkgrid does not read");
+}
+
+// A BMP of 10 x 4 pixels of 4 or 8 bits whose index i is the grey 10 i, in these runs from the lowest row on.
+std::string bmp_in_runs(int bits, const std::vector<int>& runs) {
+  std::string bytes = "BM";
+  put(bytes, 0, 8);
+  put(bytes, 54 + 16 * 4, 4);
+  for (const std::size_t value : {40, 10, 4}) put(bytes, value, 4);
+  put(bytes, 1, 2);
+  put(bytes, static_cast<std::size_t>(bits), 2);
+  put(bytes, bits == 8 ? 1 : 2, 4);
+  put(bytes, 0, 20);
+  for (std::size_t i = 0; i < 16; ++i) put(bytes, 10 * i * 0x10101, 4);
+  for (const int byte : runs) put(bytes, static_cast<std::size_t>(byte), 1);
+  return bytes;
+}
+
+TEST(ImageIo, BmpInRuns) {
+  const std::vector<std::vector<int>> rows = {{7, 7, 7, 7, 7, 0, 0, 0, 0, 0},
+                                              {0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                              {0, 0, 9, 9, 0, 0, 0, 0, 0, 0},
+                                              {1, 1, 1, 1, 2, 3, 4, 0, 0, 0}};
+  const auto expect_rows = [&](const Image& image) {
+    ASSERT_EQ(std::pair(image.width, image.height), std::pair(10, 4));
+    for (std::size_t y = 0; y < 4; ++y)
+      for (std::size_t x = 0; x < 10; ++x) EXPECT_EQ(image.grey[10 * y + x], 10 * rows[y][x]) << x << ", " << y;
+  };
+  // A run, three literals and a byte of filling; a skip of two pixels; two rows up; the end.
+  const std::vector<int> of_8{4, 1, 0, 3, 2, 3, 4, 0, 0, 0, 0, 2, 2, 0, 2, 9, 0, 0, 0, 2, 0, 1, 5, 7, 0, 1};
+  const std::vector<int> of_4{4, 0x11, 0, 3, 0x23, 0x40, 0, 0, 0, 2, 2, 0, 2, 0x99, 0, 0, 0, 2, 0, 1, 5, 0x77, 0, 1};
+  expect_rows(decode_image(bmp_in_runs(8, of_8), "x"));
+  expect_rows(decode_image(bmp_in_runs(4, of_4), "x"));
+  for (std::size_t n = 0; n + 1 < of_8.size(); ++n)
+    EXPECT_EQ(refusal(bmp_in_runs(8, {of_8.begin(), of_8.begin() + static_cast<std::ptrdiff_t>(n)})),
+              "'x.png' is truncated or damaged")
+        << n;
+  EXPECT_EQ(refusal(bmp_in_runs(8, {11, 1, 0, 1})), "'x.png' is truncated or damaged") << "a run past its row";
 }
 
 // An Exif block that says how the rows lie, in either order of bytes, behind a tag that says nothing of it.
