@@ -32,6 +32,7 @@ const sketchy = () => [40, 120].reduce((sheet, y) => sheet.line([20, y], [190, y
 test('bundles are joined, shown among the strokes, and kept apart where that is asked', { timeout: patience }, async (t) => {
   const tab = await openTab(t, browser, (await startStudio(t)).address);
   await tab.opened('sketchy.png', sketchy());
+  assert.equal(await tab.page.textContent('[data-option="bundles"] output'), 'chose keep', 'a clean drawing');
   const orange = () => tab.countOf([0xf0, 0x8a, 0x24]);
   for (const layer of ['strokes', 'curves', 'input']) await tab.page.click(`#layer-${layer}`);
   await tab.page.selectOption('#option-bundles', 'join');
