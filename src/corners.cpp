@@ -16,6 +16,7 @@ constexpr double kSharp = 0.87;      // cosine of the least turn of a corner, 30
 constexpr double kArms = 0.17;       // cosine of the widest angle between arms that share a blot, 80 degrees
 constexpr double kSideError = 0.06;  // strokes by which the line of a side may miss
 constexpr double kMitre = 2;         // strokes
+constexpr double kInside = 0.3;      // strokes that the ink goes on behind a corner that is all but straight
 constexpr double kIsolated = 0.5;    // strokes: confirmed parts shorter than this between others that are not are none
 constexpr double kPaper = 1;         // px that rough rims may leave on the way to a tip
 
@@ -328,11 +329,16 @@ class Corners {
     }
   }
 
+  // Whether a pen that turned here would have left this ink, even if it bevelled the corner: an arc's sides meet at its rim.
+  bool inside_ink(Vec2 tip, const Arrival& a, const Arrival& b, double width) const {
+    return nearest(ink_, tip + kInside * width * half_sine(a, b) * unit(a.direction + b.direction), std::uint8_t{0}) != 0;
+  }
+
   // The number of the last point that was looked at.
   int sharpen_between(RidgeChain& ridge, int from, int to) const {
     const Arrival a = arrival_from(ridge, from - 1, false), b = arrival_from(ridge, to, true);
     const auto tip = corner_of(a, b, ridge.chain.width, ink_, options_);
-    if (!tip) return to;
+    if (!tip || !inside_ink(*tip, a, b, ridge.chain.width)) return to;
     auto& points = ridge.chain.points;
     const int first = from - a.last, last = to + b.last;
     if (first > 1) points[static_cast<std::size_t>(first - 1)] = a.point;

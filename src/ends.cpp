@@ -14,6 +14,7 @@ namespace inkgrid {
 namespace {
 
 constexpr double kAligned = 0.97;  // cosine of 14 degrees
+constexpr double kBeside = 0.5;    // strokes between ends that passed each other in one stroke
 
 // One end of a chain.
 struct End {
@@ -159,11 +160,25 @@ struct Facing {
   double distance = 0;
 };
 
+struct Tip {
+  End end;
+  Vec2 point, direction;
+};
+
+bool lies_beside(Vec2 tip, const Chain& chain) {
+  const double farthest = kBeside * chain.width;
+  return std::any_of(chain.points.begin(), chain.points.end(), [&](Vec2 p) { return norm2(p - tip) < farthest * farthest; });
+}
+
+// Whether both chains run side by side before they end, as in one stroke.
+bool passed(const Chains& chains, const Tip& a, const Tip& b) {
+  const Vec2 way = b.point - a.point;
+  return dot(a.direction, way) < 0 && dot(b.direction, way) > 0 &&
+         lies_beside(a.point, chains.chains[static_cast<std::size_t>(b.end.chain)]) &&
+         lies_beside(b.point, chains.chains[static_cast<std::size_t>(a.end.chain)]);
+}
+
 std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
-  struct Tip {
-    End end;
-    Vec2 point, direction;
-  };
   std::vector<Tip> tips;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false}) {
@@ -173,7 +188,7 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
     }
   std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
   std::vector<Facing> pairs;
-  const double farthest = options.reach + options.gap;
+  const double farthest = std::max(options.reach + options.gap, options.blot);
   for (std::size_t i = 0; i < tips.size(); ++i)
     for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= farthest; ++j) {
       const Vec2 way = tips[j].point - tips[i].point;
@@ -186,7 +201,8 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
       const bool aligned =
           dot(tips[i].direction, way) > kAligned * distance && dot(tips[j].direction, way) < -kAligned * distance;
       const double paper = aligned ? std::max(options.gap, options.bridge) : options.bridge;
-      if (distance > options.reach + (aligned ? options.gap : 0)) continue;
+      const double most = passed(chains, tips[i], tips[j]) ? options.blot : options.reach + (aligned ? options.gap : 0);
+      if (distance > most) continue;
       if (over_ink(ink.mask, tips[i].point, tips[j].point, paper)) pairs.push_back({tips[i].end, tips[j].end, distance});
     }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Facing& s, const Facing& t) { return s.distance < t.distance; });

@@ -11,6 +11,7 @@
 #include "ends.h"
 #include "fill_outlines.h"
 #include "folds.h"
+#include "follow.h"
 #include "junctions.h"
 #include "leftovers.h"
 #include "needles.h"
@@ -98,6 +99,7 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   ArmsJoined arms{follow_ridges(covered.chains, ink, ridge), covered.junctions};
   if (fine) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
   covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), fine ? kTrimmed * pen : 0);
+  covered = follow_strokes(std::move(covered), ink, bridge, 2 * width);
   Chains attached = drop_blot_loops(attach_ends(std::move(covered), ink, ends), ink);
   attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
   attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);

@@ -13,7 +13,9 @@ constexpr double kWalkStep = 0.5;        // px, across the stroke
 constexpr double kRim = 1;               // px, of the antialiased rim outside the mask
 constexpr double kOneSidedWeight = 0.3;  // of a point with paper on one side only
 constexpr double kWidest = 1.3;          // times the usual width: more is a junction or a corner
-constexpr double kAnchor = 0.05;         // of the isoline itself, which is all that is known where sections tell nothing
+constexpr double kStiffest = 4;          // times the usual stroke
+constexpr double kFade = 1.5;
+constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -123,10 +125,10 @@ void judge(std::vector<CrossSection>& sections, const std::vector<double>& usual
   }
 }
 
-// Minimises  sum w (d - offset)^2 + bend |second difference of (p + d n)|^2  over the displacements d: a system of five
-// diagonals.
+// Minimises  sum w (d - offset)^2 + bend |second difference of (p + d n)|^2  over the displacements d, with a stiffness `bend` a
+// point: a system of five diagonals.
 std::vector<double> smoothed_displacements(const std::vector<Vec2>& points, const std::vector<Vec2>& normals,
-                                           const std::vector<CrossSection>& sections, double bend) {
+                                           const std::vector<CrossSection>& sections, const std::vector<double>& bend) {
   const std::size_t n = points.size();
   std::vector<double> diagonal(n), first(n, 0.0), second(n, 0.0), right(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -138,9 +140,9 @@ std::vector<double> smoothed_displacements(const std::vector<Vec2>& points, cons
     const Vec2 rest = points[k - 1] - 2.0 * points[k] + points[k + 1];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = k - 1 + i;
-      right[a] -= bend * kStencil[i] * dot(normals[a], rest);
+      right[a] -= bend[k] * kStencil[i] * dot(normals[a], rest);
       for (std::size_t j = 0; j <= i; ++j) {
-        const double value = bend * kStencil[i] * kStencil[j] * dot(normals[a], normals[k - 1 + j]);
+        const double value = bend[k] * kStencil[i] * kStencil[j] * dot(normals[a], normals[k - 1 + j]);
         (i == j ? diagonal : i == j + 1 ? first : second)[a] += value;
       }
     }
@@ -175,7 +177,7 @@ std::vector<T> wrapped(const std::vector<T>& values, std::size_t margin) {
   return out;
 }
 
-void move_points(RidgeChain& ridge, const std::vector<Vec2>& normals, double bend) {
+void move_points(RidgeChain& ridge, const std::vector<Vec2>& normals, const std::vector<double>& bend) {
   auto& points = ridge.chain.points;
   if (!ridge.chain.closed) {
     const auto d = smoothed_displacements(points, normals, ridge.sections, bend);
@@ -183,9 +185,22 @@ void move_points(RidgeChain& ridge, const std::vector<Vec2>& normals, double ben
     return;
   }
   const std::size_t margin = std::min<std::size_t>(points.size() - 1, 200);
-  const auto d = smoothed_displacements(wrapped(points, margin), wrapped(normals, margin), wrapped(ridge.sections, margin), bend);
+  const auto d = smoothed_displacements(wrapped(points, margin), wrapped(normals, margin), wrapped(ridge.sections, margin),
+                                        wrapped(bend, margin));
   for (std::size_t k = 0; k < points.size(); ++k) points[k] += d[k + margin] * normals[k];
   points.back() = points.front();
+}
+
+// What counts as noise grows with the stroke: where strokes of a bundle begin and end, its middle jumps by as much as they are
+// wide.  So it does beside a wide part: it fades by one usual stroke over each kFade of them.
+std::vector<double> stiffness(const std::vector<double>& usual, double stroke_width, const RidgeOptions& options) {
+  std::vector<double> ratio;
+  for (const double width : usual) ratio.push_back(std::clamp(width / stroke_width, 1.0, kStiffest));
+  const double fade = options.step / (kFade * stroke_width);
+  for (std::size_t k = 1; k < ratio.size(); ++k) ratio[k] = std::max(ratio[k], ratio[k - 1] - fade);
+  for (std::size_t k = ratio.size() - 1; k-- > 0;) ratio[k] = std::max(ratio[k], ratio[k + 1] - fade);
+  for (double& r : ratio) r = std::pow(r * options.smooth / options.step, 4);
+  return ratio;
 }
 
 void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOptions& options) {
@@ -211,8 +226,7 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
     ridge.chain.confirmed =
         options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
                                                          [](const CrossSection& x) { return x.weight == 1; }));
-    const double ratio = options.smooth / options.step;
-    move_points(ridge, normals, ratio * ratio * ratio * ratio);
+    move_points(ridge, normals, stiffness(usual, ink.stroke_width, options));
   }
 }
 
