@@ -16,7 +16,7 @@ constexpr double kSharp = 0.87;      // cosine of the least turn of a corner, 30
 constexpr double kArms = 0.17;       // cosine of the widest angle between arms that share a blot, 80 degrees
 constexpr double kSideError = 0.06;  // strokes by which the line of a side may miss
 constexpr double kMitre = 2;         // strokes
-constexpr double kInside = 0.3;      // strokes that the ink goes on behind a corner that is all but straight
+constexpr double kInside = 0.4;      // strokes that the ink goes on behind a corner that is all but straight
 constexpr double kIsolated = 0.5;    // strokes: confirmed parts shorter than this between others that are not are none
 constexpr double kPaper = 1;         // px that rough rims may leave on the way to a tip
 

@@ -173,7 +173,7 @@ bool lies_beside(Vec2 tip, const Chain& chain) {
 // Whether both chains run side by side before they end, as in one stroke.
 bool passed(const Chains& chains, const Tip& a, const Tip& b) {
   const Vec2 way = b.point - a.point;
-  return dot(a.direction, way) < 0 && dot(b.direction, way) > 0 &&
+  return a.end.chain != b.end.chain && dot(a.direction, way) < 0 && dot(b.direction, way) > 0 &&
          lies_beside(a.point, chains.chains[static_cast<std::size_t>(b.end.chain)]) &&
          lies_beside(b.point, chains.chains[static_cast<std::size_t>(a.end.chain)]);
 }

@@ -11,47 +11,60 @@ namespace {
 
 constexpr double kStep = 0.25;   // of the stroke width
 constexpr double kNear = 0.75;   // stroke widths from another chain
+constexpr double kMeet = 3;      // stroke widths from its free end: further back it is not met, but run into
 constexpr double kWidest = 1.4;  // stroke widths across: more is a crossing or a blot, where the way goes straight on
 constexpr double kSpan = 1.5;    // stroke widths that tell the direction
-constexpr double kMeet = 3;
 constexpr double kOwnTail = 4;   // stroke widths of a chain before its end, which are not in its way
 constexpr double kShift = 0.35;  // of a step, sideways: a stroke that bends more than that has a corner
+constexpr float kWayOn = -1;     // in the place of a position along the chain: what was added to it
 
 // Which chain passes nearby.  Of each pixel the last one painted counts.
 class Territory {
  public:
-  Territory(const Chains& chains, const Ink& ink) : chain_(ink.width(), ink.height(), -1), along_(ink.width(), ink.height(), 0) {
+  Territory(const Chains& chains, const Ink& ink)
+      : chain_(ink.width(), ink.height(), -1), position_(ink.width(), ink.height(), 0) {
     for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
       const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
       const auto points = resampled(chain.points, 1);
-      for (std::size_t k = 0; k < points.size(); ++k)
-        paint(points[k], kNear * chain.width, c,
-              static_cast<float>(
-                  std::min(chain.start_junction < 0 ? k : 100000, chain.end_junction < 0 ? points.size() - 1 - k : 100000)));
+      for (std::size_t k = 0; k < points.size(); ++k) paint(points[k], kNear * chain.width, c, static_cast<float>(k));
+      ends_.push_back({static_cast<double>(points.size() - 1), !chain.closed && chain.start_junction < 0,
+                       !chain.closed && chain.end_junction < 0});
     }
   }
 
-  // Whether a chain is here: another one, or a part of this one that is more than `tail` px from its ends.
-  bool taken(Vec2 p, int chain, double tail) const {
+  // Whether a chain is here: another one, or a part of this one that is more than `tail` px from its start, or its end.
+  bool taken(Vec2 p, int chain, bool from_start, double tail) const {
     const int owner = nearest(chain_, p, -1);
-    return owner >= 0 && (owner != chain || static_cast<double>(nearest(along_, p, 0.0F)) > tail);
+    if (owner != chain) return owner >= 0;
+    const double position = static_cast<double>(nearest(position_, p, 0.0F));
+    return position < 0 || (from_start ? position : ends_[static_cast<std::size_t>(chain)].length - position) > tail;
   }
 
-  // Distance along the chain there to its nearer free end, px.
-  double to_free_end(Vec2 p) const { return nearest(chain_, p, -1) < 0 ? 1e9 : static_cast<double>(nearest(along_, p, 0.0F)); }
+  // Whether the chain here has a free end within `farthest` px along it.
+  bool free_end_within(Vec2 p, double farthest) const {
+    const Ends& ends = ends_[static_cast<std::size_t>(nearest(chain_, p, -1))];
+    const double position = static_cast<double>(nearest(position_, p, 0.0F));
+    return position >= 0 && ((ends.free_start && position < farthest) || (ends.free_end && ends.length - position < farthest));
+  }
 
-  void paint(Vec2 p, double radius, int chain, float along) {
+  void paint(Vec2 p, double radius, int chain, float position) {
     for (int y = floor_of(p.y - radius); y <= floor_of(p.y + radius); ++y)
       for (int x = floor_of(p.x - radius); x <= floor_of(p.x + radius); ++x) {
         if (!chain_.contains(x, y) || norm(Vec2{x + 0.5, y + 0.5} - p) > radius) continue;
         chain_(x, y) = chain;
-        along_(x, y) = along;
+        position_(x, y) = position;
       }
   }
 
  private:
+  struct Ends {
+    double length;
+    bool free_start, free_end;
+  };
+
   Raster<int> chain_;
-  Raster<float> along_;  // px from the nearer end of that chain
+  Raster<float> position_;  // along that chain, px
+  std::vector<Ends> ends_;
 };
 
 // How far the ink goes to one side, and whether paper ends it within `farthest`.
@@ -75,26 +88,23 @@ class Follower {
  public:
   Follower(const Ink& ink, const Territory& territory, double bridge) : ink_(ink), territory_(territory), bridge_(bridge) {}
 
-  // The way from the end of `points` on, without that end.
-  std::vector<Vec2> way(std::vector<Vec2> points, int chain, double width) const {
-    const std::size_t from = points.size();
-    const double step = kStep * width, tail = kOwnTail * width;
+  // The way on from the end of `points`, which are the chain's or, from its start, in reverse; empty if no free end is met.
+  std::vector<Vec2> way(std::vector<Vec2> points, int chain, bool from_start, double width) const {
+    const std::size_t known = points.size();
+    const double step = kStep * width;
     double paper = 0;
-    std::size_t on_ink = from;
     for (int k = 0; k < ink_.width() + ink_.height(); ++k) {
       const Vec2 direction = direction_at(points, kSpan * width);
       const Vec2 p = centred(points.back() + step * direction, direction, width, step);
-      if (territory_.taken(p, chain, tail)) {
-        if (territory_.to_free_end(p) > kMeet * width) return {};
-        break;
+      if (territory_.taken(p, chain, from_start, kOwnTail * width)) {
+        if (!territory_.free_end_within(p, kMeet * width)) return {};
+        return {points.begin() + static_cast<std::ptrdiff_t>(known), points.end()};
       }
-      const bool ink = nearest(ink_.mask, p, std::uint8_t{0}) != 0;
-      paper = ink ? 0 : paper + step;
+      paper = nearest(ink_.mask, p, std::uint8_t{0}) ? 0 : paper + step;
       if (paper > bridge_ + step) return {};
       points.push_back(p);
-      if (ink) on_ink = points.size();
     }
-    return {points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(on_ink)};
+    return {};
   }
 
  private:
@@ -127,10 +137,10 @@ Chains follow_strokes(Chains chains, const Ink& ink, double bridge, double least
     for (const bool at_start : {true, false}) {
       if (chain.closed || (at_start ? chain.start_junction : chain.end_junction) >= 0) continue;
       if (at_start) std::reverse(chain.points.begin(), chain.points.end());
-      const auto way = follower.way(chain.points, c, chain.width);
+      const auto way = follower.way(chain.points, c, at_start, chain.width);
       if (static_cast<double>(way.size()) * kStep * chain.width >= least) {
         chain.points.insert(chain.points.end(), way.begin(), way.end());
-        for (const Vec2 p : way) territory.paint(p, kNear * chain.width, c, static_cast<float>(2 * ink.width()));
+        for (const Vec2 p : way) territory.paint(p, kNear * chain.width, c, kWayOn);
       }
       if (at_start) std::reverse(chain.points.begin(), chain.points.end());
     }

@@ -9,8 +9,9 @@
 
 namespace inkgrid {
 
-// The chains, free ends prolonged where their stroke goes on for `least` px or more: along the middle of the ink, over paper of
-// up to `bridge` px, until the ink ends or another chain is less than a stroke width away.
+// The chains, free ends prolonged where their stroke leads on to a free end, for `least` px or more: along the middle of the ink,
+// over paper of up to `bridge` px, until that end is less than a stroke width away.  Where the ink ends, or another chain is in
+// the way, an end stays where it is.
 Chains follow_strokes(Chains chains, const Ink& ink, double bridge, double least);
 
 }  // namespace inkgrid

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "assembled.h"
+#include "blots.h"
 #include "corners.h"
 #include "crossings.h"
 #include "ends.h"
@@ -96,7 +97,9 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double re
   if (fine) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
   covered = drop_spurs(std::move(covered), resolution.raw_spur);
   covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
-  ArmsJoined arms{follow_ridges(covered.chains, ink, ridge), covered.junctions};
+  Blots blots =
+      meet_in_blots(follow_ridges(covered.chains, ink, ridge), covered.junctions, ink, {kLongestBlot * pen, pen, bridge});
+  ArmsJoined arms{std::move(blots.ridges), std::move(blots.junctions)};
   if (fine) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
   covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), fine ? kTrimmed * pen : 0);
   covered = follow_strokes(std::move(covered), ink, bridge, 2 * width);

@@ -175,5 +175,21 @@ TEST(Arrival, FollowsArcsAndLines) {
   EXPECT_LT(std::abs(dot(arrival.direction, unit(radius))), 0.03);
 }
 
+TEST(Corners, AnArcWhoseMiddleIsNotConfirmedStaysRound) {
+  // Sides of an arc meet outside it: at its rim there is no ink beyond.
+  const Vec2 centre{100, 60};
+  constexpr double kRadius = 40;
+  Raster<std::uint8_t> ink(200, 200, 0);
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) ink(x, y) = std::abs(norm(Vec2{x + 0.5, y + 0.5} - centre) - kRadius) < 0.5 * kWidth + 0.6;
+  std::vector<Vec2> bow;
+  for (double a = 0.3; a < std::numbers::pi - 0.3; a += 0.02) bow.push_back(centre + kRadius * Vec2{std::cos(a), std::sin(a)});
+  RidgeChain ridge = ridge_along(bow, -1, -1, 0, 0);
+  const std::size_t middle = ridge.sections.size() / 2;
+  for (std::size_t k = middle - 11; k < middle + 11; ++k) ridge.sections[k] = {};
+  const auto found = open_corners({ridge}, {}, ink, {25, 3.6});
+  for (const Vec2 p : found[0].chain.points) EXPECT_LT(std::abs(norm(p - centre) - kRadius), 0.5);
+}
+
 }  // namespace
 }  // namespace inkgrid

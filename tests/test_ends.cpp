@@ -177,6 +177,20 @@ Chains gapped(Image& image, double gap, double aside) {
   return {{}, {chain_along(a, kWidth), chain_along(b, kWidth)}};
 }
 
+TEST(Ends, EndsThatPassedEachOtherInOneStrokeMeetAndArmsOfATeeDoNot) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {180, 50}}, kWidth);
+  const Ink ink = ink_of(image);
+  const EndOptions options{1.5 * kWidth, 5 * kWidth, 1, 0};
+  const Chains passed{{}, {chain_along({{20, 49}, {112, 49}}, kWidth), chain_along({{92, 51}, {180, 51}}, kWidth)}};
+  EXPECT_EQ(join_facing_ends(passed, ink, options).chains.size(), 1u);
+  Chains tee{{{100, 50}},
+             {chain_along({{100, 50}, {112, 50}}, kWidth), chain_along({{100, 50}, {92, 50}}, kWidth),
+              chain_along({{100, 50}, {100, 20}}, kWidth)}};
+  for (Chain& arm : tee.chains) arm.start_junction = 0;
+  EXPECT_EQ(join_facing_ends(tee, ink, options).chains.size(), 3u);
+}
+
 TEST(Ends, GapsInALineAreBridgedAndOthersAreNot) {
   const auto count = [](double gap, double aside, double allowed) {
     Image image = blank(200, 100);

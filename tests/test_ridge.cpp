@@ -122,5 +122,20 @@ TEST(Ridge, ACrossingDoesNotPullTheLineAside) {
   EXPECT_LT(rms(ridges[1].chain.points, {{60, 20}, {140, 180}}, kWidth), 0.15);
 }
 
+// A stroke, and a second one beside it from the middle on: the band between them counts as ink.
+TEST(Ridge, WhereABundleWidensTheMiddleMovesGently) {
+  Image image = blank(300, 100);
+  paint(image, {{20, 50}, {280, 50}}, kWidth);
+  for (double y = 50; y <= 62; y += 3) paint(image, {{150, y}, {280, y}}, kWidth);
+  Ink ink = ink_of(image);
+  ink.stroke_width = kWidth;
+  const auto points = follow_ridges({chain_along({{22, 50}, {278, 56}}, kWidth)}, ink, kOptions)[0].chain.points;
+  EXPECT_NEAR(points[60].y, 50, 0.3);
+  EXPECT_NEAR(points[points.size() - 40].y, 56, 0.3);
+  double steepest = 0;
+  for (std::size_t k = 4; k < points.size(); ++k) steepest = std::max(steepest, std::abs(points[k].y - points[k - 4].y) / 4);
+  EXPECT_LT(steepest, 0.35);
+}
+
 }  // namespace
 }  // namespace inkgrid
