@@ -143,6 +143,10 @@ class Joiner {
 
 }  // namespace
 
+bool is_loop(const Chain& chain) {
+  return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
+}
+
 double ink_coverage(const Chain& chain, const Ink& ink) {
   double on = 0;
   for (const Vec2 p : chain.points) on += nearest(ink.mask, p, std::uint8_t{0});

@@ -27,6 +27,9 @@ struct Chains {
   std::vector<Chain> chains;
 };
 
+// Whether the chain ends where it starts: closed, or in one junction.
+bool is_loop(const Chain& chain);
+
 // The share of the chain's points that lie on ink.
 double ink_coverage(const Chain& chain, const Ink& ink);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/sample.h"
 #include "polyline.h"
@@ -15,6 +16,7 @@ constexpr double kOneSidedWeight = 0.3;  // of a point with paper on one side on
 constexpr double kWidest = 1.3;          // times the usual width: more is a junction or a corner
 constexpr double kStiffest = 4;          // times the usual stroke
 constexpr double kFade = 1.5;
+constexpr double kOfLoop = 0.4;   // of its radius: bends longer than that keep a small loop from shrinking
 constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
 
 double median(std::vector<double> values) {
@@ -193,13 +195,15 @@ void move_points(RidgeChain& ridge, const std::vector<Vec2>& normals, const std:
 
 // What counts as noise grows with the stroke: where strokes of a bundle begin and end, its middle jumps by as much as they are
 // wide.  So it does beside a wide part: it fades by one usual stroke over each kFade of them.
-std::vector<double> stiffness(const std::vector<double>& usual, double stroke_width, const RidgeOptions& options) {
+std::vector<double> stiffness(const Chain& chain, const std::vector<double>& usual, double stroke_width,
+                              const RidgeOptions& options) {
   std::vector<double> ratio;
   for (const double width : usual) ratio.push_back(std::clamp(width / stroke_width, 1.0, kStiffest));
   const double fade = options.step / (kFade * stroke_width);
   for (std::size_t k = 1; k < ratio.size(); ++k) ratio[k] = std::max(ratio[k], ratio[k - 1] - fade);
   for (std::size_t k = ratio.size() - 1; k-- > 0;) ratio[k] = std::max(ratio[k], ratio[k + 1] - fade);
-  for (double& r : ratio) r = std::pow(r * options.smooth / options.step, 4);
+  const double most = is_loop(chain) ? kOfLoop * lengths_along(chain.points).back() / (2 * std::numbers::pi) : 1e9;
+  for (double& r : ratio) r = std::pow(std::min(r * options.smooth, most) / options.step, 4);
   return ratio;
 }
 
@@ -226,7 +230,7 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
     ridge.chain.confirmed =
         options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
                                                          [](const CrossSection& x) { return x.weight == 1; }));
-    move_points(ridge, normals, stiffness(usual, ink.stroke_width, options));
+    move_points(ridge, normals, stiffness(ridge.chain, usual, ink.stroke_width, options));
   }
 }
 

@@ -267,10 +267,6 @@ Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge) 
 
 namespace {
 
-bool is_loop(const Chain& chain) {
-  return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
-}
-
 // Whether the line through the middles of a row of pixels finds paper inside the loop (even-odd).
 bool encloses_paper(const Chain& loop, const Ink& ink) {
   double low = loop.points.front().y, high = low;

@@ -290,6 +290,18 @@ TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
   }
 }
 
+TEST(Details, AnEyeInASketchIsALoop) {
+  const Line eye = circle({60.3, 60.2}, 7);
+  Image image = blank(240, 200);
+  paint(image, eye, 5);
+  paint(image, {{20, 150}, {220, 140}}, 5, 60);
+  paint(image, {{24, 153}, {216, 144}}, 5, 120);
+  const Drawing drawing = traced(image, Preset::rough);
+  ASSERT_EQ(drawing.curves.size(), 2u);
+  EXPECT_TRUE(drawing.curves[0].closed);
+  EXPECT_LT(distance_between({points_of(drawing.curves[0])}, {eye}), 0.8);
+}
+
 // ---------------------------------------------------------------- gaps
 
 // A stroke with paper in its middle, px.

@@ -137,5 +137,18 @@ TEST(Ridge, WhereABundleWidensTheMiddleMovesGently) {
   EXPECT_LT(steepest, 0.35);
 }
 
+TEST(Ridge, ASmallLoopDoesNotShrink) {
+  const Vec2 centre{60.3, 60.2};
+  constexpr RidgeOptions smooth{0.9, 2.7, 0.75 * kWidth};
+  for (const double radius : {1.3 * kWidth, 2 * kWidth, 4 * kWidth}) {
+    Image image = blank(120, 120);
+    paint(image, testing::circle(centre, radius), kWidth);
+    Chain loop = chain_along(testing::circle(centre, 1.1 * radius), kWidth);
+    loop.closed = true;
+    const auto ridges = follow_ridges({loop}, ink_of(image), smooth);
+    for (const Vec2 p : ridges[0].chain.points) EXPECT_NEAR(norm(p - centre), radius, 0.1 * radius);
+  }
+}
+
 }  // namespace
 }  // namespace inkgrid
