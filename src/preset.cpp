@@ -10,8 +10,9 @@ namespace {
 constexpr double kSpreadOpacity = 0.05;
 constexpr double kManySlits = 0.03;
 constexpr double kUnevenWidth = 0.5;
-constexpr double kSlitRadius = 0.3;  // strokes
-constexpr double kFinePen = 4;       // px: a slimmer pen has no details below its width that pixels show
+constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
+constexpr double kSlitRadius = 0.3;   // strokes
+constexpr double kFinePen = 4;        // px: a slimmer pen has no details below its width that pixels show
 constexpr double kFinest = 0.5;
 constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
 
@@ -58,7 +59,8 @@ Sketchiness measure_sketchiness(const Ink& ink) {
 Preset choose_preset(Preset given, const Ink& ink) {
   if (given != Preset::automatic) return given;
   const Sketchiness s = measure_sketchiness(ink);
-  const bool rough = s.opacity_spread > kSpreadOpacity || (s.slits > kManySlits && s.uneven_width > kUnevenWidth);
+  const bool overdrawn = s.slits > kManySlits && s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
+  const bool rough = s.opacity_spread > kSpreadOpacity || overdrawn;
   return rough ? Preset::rough : Preset::clean;
 }
 

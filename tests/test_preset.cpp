@@ -42,6 +42,17 @@ TEST(Preset, BlackStrokesWithSlitsAreRough) {
   EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
 }
 
+TEST(Preset, PensOfDifferentWidthAreClean) {
+  Image image = blank(400, 300);
+  paint(image, {{20, 40}, {380, 50}}, 40);
+  paint(image, {{20, 110}, {380, 115}}, 20);
+  for (const double y : {150.0, 170.0, 190.0, 210.0}) paint(image, {{20, y}, {380, y + 4}}, 2);
+  paint(image, {{60, 30}, {70, 260}}, 6);
+  const Sketchiness s = measure_sketchiness(ink_of(image));
+  EXPECT_GT(s.uneven_width, 1.8);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+}
+
 TEST(Preset, AGivenOneIsKept) {
   Image image = blank(200, 200);
   paint(image, wave(90, 0), 6);
