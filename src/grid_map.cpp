@@ -15,14 +15,6 @@ namespace inkgrid {
 
 namespace {
 
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-Vec2 real(IVec2 a) {
-  return {static_cast<double>(a.x), static_cast<double>(a.y)};
-}
-
 struct Unknowns {
   std::vector<Vec2> vertex;          // (u, v)
   std::vector<IVec2> shift;          // per free shift

@@ -7,14 +7,6 @@
 namespace inkgrid {
 namespace {
 
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-Vec2 real(IVec2 a) {
-  return {static_cast<double>(a.x), static_cast<double>(a.y)};
-}
-
 // The matrix of the multiplication by factor * i^turn.
 Block rotation(double factor, int turn) {
   const Vec2 image = turned(Vec2{factor, 0}, turn);

@@ -16,6 +16,14 @@ namespace inkgrid {
 
 struct Known;
 
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+inline Vec2 real(IVec2 a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y)};
+}
+
 // Vertices that keep their coordinates.
 struct HeldVertices {
   std::vector<std::uint8_t> is_held;  // per vertex

@@ -4,23 +4,14 @@
 #include <numbers>
 #include <random>
 
-#include "base/cubic.h"
-#include "drawings.h"
 #include "fill_outlines.h"
-#include "inkgrid/inkgrid.h"
+#include "known_curves.h"
 
 namespace inkgrid {
 namespace {
 
+using namespace testing;
 using std::numbers::pi;
-using testing::arc;
-using testing::blank;
-using testing::circle;
-using testing::distance_to_segment;
-using testing::fill;
-using testing::paint;
-
-using Line = std::vector<Vec2>;
 
 void paint_disc(Image& image, Vec2 centre, double radius, double grey = 0) {
   paint(image, {centre, centre}, 2 * radius, grey);
@@ -41,13 +32,6 @@ Fills fills_of(const Image& image) {
 
 long area_of(const Fills& fills, int fill) {
   return std::count(fills.region.data.begin(), fills.region.data.end(), fill);
-}
-
-Line points_of(const Curve& curve) {
-  Line points;
-  for (const Cubic& c : curve.segments)
-    for (int k = 0; k < 16; ++k) points.push_back(point_on(c, k / 16.0));
-  return points;
 }
 
 // Of the points from the polygon's sides, px.

@@ -10,12 +10,8 @@
 namespace inkgrid {
 namespace {
 
+using namespace testing;
 using std::numbers::pi;
-using testing::arc;
-using testing::blank;
-using testing::circle;
-using testing::fill;
-using testing::paint;
 
 PenStrokes strokes_of(const Image& image) {
   const Binarisation binarisation = binarise(image, 128.0);

@@ -5,70 +5,18 @@
 #include <random>
 #include <string>
 
-#include "drawings.h"
-#include "inkgrid/inkgrid.h"
+#include "known_curves.h"
 
 namespace inkgrid {
 namespace {
 
+using namespace testing;
 using std::numbers::pi;
-using testing::arc;
-using testing::blank;
-using testing::circle;
-using testing::distance_to_segment;
-using testing::paint;
-
-using Line = std::vector<Vec2>;
 
 constexpr double kWidth = 6;
 
-Vec2 at(const Cubic& c, double t) {
-  const double s = 1 - t;
-  return s * s * s * c.p0 + 3 * s * s * t * c.p1 + 3 * s * t * t * c.p2 + t * t * t * c.p3;
-}
-
-Line points_of(const Curve& curve) {
-  Line points;
-  for (const auto& segment : curve.segments)
-    for (int k = 0; k <= 32; ++k) points.push_back(at(segment, k / 32.0));
-  return points;
-}
-
-std::vector<Line> lines_of(const Drawing& drawing) {
-  std::vector<Line> lines;
-  for (const auto& curve : drawing.curves) lines.push_back(points_of(curve));
-  return lines;
-}
-
-Line dense(const Line& line) {
-  Line points;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    for (int k = 0; k <= 50; ++k) points.push_back(lerp(line[i], line[i + 1], k / 50.0));
-  return points;
-}
-
-double farthest(const std::vector<Line>& from, const std::vector<Line>& to) {
-  double most = 0;
-  for (const auto& line : from)
-    for (const Vec2 p : dense(line)) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const auto& other : to)
-        for (std::size_t i = 0; i + 1 < other.size(); ++i)
-          least = std::min(least, distance_to_segment(p, other[i], other[i + 1]));
-      most = std::max(most, least);
-    }
-  return most;
-}
-
-// The larger of the two one-sided Hausdorff distances.
-double distance_between(const std::vector<Line>& a, const std::vector<Line>& b) {
-  return std::max(farthest(a, b), farthest(b, a));
-}
-
 Image painted(const std::vector<Line>& lines, int width = 200, int height = 200) {
-  Image image = blank(width, height);
-  for (const auto& line : lines) paint(image, line, kWidth);
-  return image;
+  return testing::painted(lines, kWidth, width, height);
 }
 
 Vec2 start_of(const Curve& curve) {
