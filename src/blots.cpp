@@ -186,11 +186,13 @@ class Blotter {
 
   // Whether no chain of the blot is far from the ways that replace it.
   bool stands_for_blot(const std::vector<Arm>& arms, Vec2 meeting) const {
+    double beside = options_.pen;
+    for (const Arm& arm : arms) beside = std::max(beside, width_of(arm));
     const auto is_near = [&](Vec2 p) {
       return std::any_of(arms.begin(), arms.end(), [&](const Arm& arm) {
         const Vec2 way = meeting - arm.arrival.point;
         const double s = norm2(way) > 0 ? std::clamp(dot(p - arm.arrival.point, way) / norm2(way), 0.0, 1.0) : 0;
-        return norm(p - arm.arrival.point - s * way) < kBeside * options_.pen;
+        return norm(p - arm.arrival.point - s * way) < kBeside * beside;
       });
     };
     const int blot = run(arms.front().run).blot;
