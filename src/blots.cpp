@@ -16,9 +16,9 @@ constexpr double kTip = 0.25;       // widths at a free end that are not believe
 constexpr double kMiss = 0.25;      // strokes by which a line may miss the point where the others meet
 constexpr double kSlant = 0.08;     // the same for each px of the way there
 constexpr double kPassed = 0.5;     // strokes by which an arm may have passed it
-constexpr double kBeside = 1;       // pens between a chain in a blot and what replaces it
+constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
 constexpr double kPaper = 0.25;     // pens of paper on the way: slimmed strokes part where they meet
-constexpr double kParallel = 0.01;  // of the arms, mean square of the sine, times that of the cosine
+constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
 
 // Points [from, to) of a chain that the ink does not confirm.
 struct Run {
