@@ -10,7 +10,7 @@ from support import PROGRAM, CommandTest, blank, paint_disc, paint_line, png
 
 # Millions, of the function that is the stage with all that it calls.  Where a stage costs more and is worth it, this is the place to say
 # so.
-MILLIONS = {
+CLEAN = {
     'binarise': 26,
     'find_fills': 39,
     'measure_ink': 27,
@@ -23,8 +23,26 @@ MILLIONS = {
     'trace_isolines': 34,
     'chain_strokes': 4.5,
     'follow_ridges': 86,
+    'drop_uncovered': 6.4,
+    'drop_spurs': 6.3,
+    'meet_in_blots': 15,
+    'follow_strokes': 6.7,
+    'attach_ends': 5.2,
+    'drop_doubles': 4.1,
+    'join_crossings': 2.8,
+    'join_arms': 2.4,
     'mark_leftovers': 11,
-    'fit_curves': 67,
+    'fit_outlines': 16,
+    'fit_curves': 65,
+    'PROGRAM TOTALS': 955,
+}
+# With bundles looked for: all but threshold, fills and ink runs twice.
+ROUGH = {
+    'find_flanks': 15.6,
+    'find_bundles': 15.8,
+    'join_bundles': 18,
+    'closed_ink': 34,
+    'PROGRAM TOTALS': 1234,
 }
 MOST = 1.3   # times that
 
@@ -45,21 +63,27 @@ def drawing():
 @unittest.skipUnless(shutil.which('valgrind'), 'valgrind is missing')
 @unittest.skipUnless(os.environ['INKGRID_OPTIMISED'] == '1', 'not the program that is installed')
 class Instructions(CommandTest):
-    def counted(self):
-        """Instructions of each function that is a stage."""
+    def counted(self, preset):
+        """Instructions of each function that is a stage, and of the program."""
         self.put('drawing.png', png(drawing()))
-        subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=costs', PROGRAM, 'drawing.png', '--preset', 'clean',
+        subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=costs', PROGRAM, 'drawing.png', '--preset', preset,
                         '--threads', '1'], cwd=self.directory, check=True, capture_output=True, timeout=300)
         text = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', 'costs'], cwd=self.directory, check=True,
                               capture_output=True, text=True).stdout
         counts = {}
-        for number, name in re.findall(r'^ *([\d,]+) .*:inkgrid::(\w+)\(', text, re.MULTILINE):
+        for number, name in re.findall(r'^ *([\d,]+) .*?(?::inkgrid::(?=\w+\()|(?=PROGRAM))(PROGRAM TOTALS|\w+)', text, re.MULTILINE):
             counts.setdefault(name, int(number.replace(',', '')))
         return counts
 
-    def test_no_stage_takes_many_more_than_it_did(self):
-        counts = self.counted()
-        for stage, millions in MILLIONS.items():
+    def check(self, preset, expected):
+        counts = self.counted(preset)
+        for stage, millions in expected.items():
             with self.subTest(stage=stage):
                 self.assertLess(counts[stage] / 1e6, MOST * millions)
                 self.assertGreater(counts[stage] / 1e6, millions / 2, 'so much less that the number here guards nothing')
+
+    def test_no_stage_takes_many_more_than_it_did(self):
+        self.check('clean', CLEAN)
+
+    def test_nor_do_those_that_look_for_bundles(self):
+        self.check('rough', ROUGH)
