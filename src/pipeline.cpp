@@ -6,35 +6,21 @@
 #include <string>
 
 #include "assembled.h"
-#include "blots.h"
-#include "corners.h"
-#include "crossings.h"
 #include "ends.h"
 #include "fill_outlines.h"
 #include "folds.h"
-#include "follow.h"
-#include "junctions.h"
 #include "leftovers.h"
-#include "needles.h"
 #include "options.h"
 #include "parts.h"
 #include "preset.h"
+#include "refinement.h"
 #include "run_report.h"
-#include "simplify.h"
 #include "stopwatch.h"
 #include "window.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other share their ink
-constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
-constexpr double kLongestRung = 3;   // of the slimmed stroke
-constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
-constexpr double kTrimmed = 2.5;     // of the pen
-constexpr double kLongestHook = 2;   // of the pen
-constexpr double kTipMiss = 0.6;     // of the pen
-constexpr double kOvershoot = 2;     // strokes
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
 
@@ -53,68 +39,6 @@ void validate_input(const Image& image, const ScaleMask* mask) {
     throw Error(ErrorCode::usage, "the mask is " + std::to_string(mask->width) + " x " + std::to_string(mask->height) +
                                       " pixels, but the drawing is " + std::to_string(image.width) + " x " +
                                       std::to_string(image.height));
-}
-
-// What is not resolved: doubles within half a grid cell; spurs and junctions within half a cell, or what a pen can show if that
-// is more. Junctions further apart are one only where the chain between them lies inside a blot.
-struct Resolution {
-  double cell;       // half the grid spacing, px
-  double raw_spur;   // half the grid spacing, strokes, for an isoline that goes on to the rim of the ink, half a stroke further
-  double spur;       // strokes
-  double link;       // px
-  double bare_link;  // px
-};
-
-// `spacing` in strokes of `width`, which the pen was slimmed to.
-Resolution resolution_of(double spacing, double width, double pen) {
-  const double half = 0.5 * spacing, blunt = std::min(pen, kBlunt * width);
-  const double seen = std::max(half * width, kSeenOfPen * blunt);
-  const double link = seen + 0.45 * blunt;
-  return {half * width, half + 0.5, seen / width, link, 2.5 * link};
-}
-
-RidgeOptions ridge_options(double width, double reach, double spacing) {
-  return {std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width};
-}
-
-// Slimmed strokes get the widths that they were drawn with.
-Chains with_drawn_widths(Chains chains, const Ink& ink, double reach, double spacing) {
-  const auto drawn = follow_ridges(chains.chains, ink, ridge_options(ink.stroke_width, reach, spacing));
-  for (std::size_t c = 0; c < drawn.size(); ++c) chains.chains[c].width = drawn[c].chain.width;
-  return chains;
-}
-
-// The grid has decided which strokes are one and how they meet; the ink says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, double pen, double reach, double spacing, double gap, int bins) {
-  const double width = ink.stroke_width;
-  const Resolution resolution = resolution_of(spacing, width, pen);
-  const RidgeOptions ridge = ridge_options(width, reach, spacing);
-  const CornerOptions corners{kLongestBlot * pen, kTipMiss * pen};
-  const bool fine = spacing < 1;
-  const EndOptions ends{1.5 * width, fine ? kLongestBlot * pen : 1.5 * width, std::max(1.0, 0.5 * reach * width), gap * pen};
-  const double bridge = std::max(1.0, reach * width);
-  Chains covered = drop_rungs(drop_uncovered(chains, ink, bins, bridge), ink, kLongestRung * width, bridge);
-  if (fine) covered = cut_on_paper(drop_blot_loops(std::move(covered), ink), ink, width);
-  covered = drop_spurs(std::move(covered), resolution.raw_spur);
-  covered = merge_junctions(std::move(covered), resolution.link, resolution.link);
-  Blots blots =
-      meet_in_blots(follow_ridges(covered.chains, ink, ridge), covered.junctions, ink, {kLongestBlot * pen, pen, bridge});
-  ArmsJoined arms{std::move(blots.ridges), std::move(blots.junctions)};
-  if (fine) arms = join_arms(std::move(arms.ridges), std::move(arms.junctions), ink.mask, corners);
-  covered = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), fine ? kTrimmed * pen : 0);
-  covered = follow_strokes(std::move(covered), ink, bridge, 2 * width);
-  Chains attached = drop_blot_loops(attach_ends(std::move(covered), ink, ends), ink);
-  attached = drop_spurs(drop_doubles(std::move(attached), resolution.cell), resolution.spur);
-  attached = drop_spurs(join_crossings(std::move(attached), width), resolution.spur);
-  attached = merge_junctions(std::move(attached), resolution.link, resolution.bare_link);
-  auto ridges = open_corners(follow_ridges(attached.chains, ink, ridge), attached.junctions, ink.mask, corners);
-  Chains located =
-      locate_junctions(std::move(ridges), attached.junctions, ink.mask, {1.5 * pen, (fine ? kLongestBlot : 1.5) * pen});
-  located = join_facing_ends(reach_ends(std::move(located), ink, ends), ink, ends);
-  located = drop_needles(std::move(located), kSeenOfPen * pen, 2 * corners.longest);
-  located = drop_spurs(drop_hooks(std::move(located), kSeenOfPen * pen, kLongestHook * pen), resolution.spur);
-  // A grid wider than the pen is asked for where strokes are drawn over and too far.
-  return spacing > 1 ? drop_overshoots(std::move(located), kOvershoot * width) : located;
 }
 
 bool same_pixels(const Image& a, const Image& b) {
@@ -228,10 +152,11 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   release(keep, stages.mesh, stages.charts, stages.labels, stages.graph);
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
-    return refine_on_ink(chains, stages.slim, stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim,
-                         *options.gap, options.coverage_bins);
+    return refine_on_ink(
+        chains, stages.slim,
+        {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap, options.coverage_bins});
   });
-  if (slim < 1) chains = with_drawn_widths(std::move(chains), stages.ink, *options.reach, *options.spacing);
+  if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing);
   return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
 }
 
