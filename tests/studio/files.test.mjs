@@ -1,16 +1,13 @@
 // What leaves the studio: exports, projects, hand edits; the command line makes the same of them.
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross } from './drawings.mjs';
-import { curvesOfProject, eventually, launch, openTab, patience, run, scratch, startStudio } from './support.mjs';
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
+import { curvesOfProject, eventually, patience, run, scratch, startStudio } from './support.mjs';
+import { tabOf } from './tabs.mjs';
 
 async function withCross(t) {
-  const studio = await startStudio(t), tab = await openTab(t, browser, studio.address);
+  const studio = await startStudio(t), tab = await tabOf(t, studio);
   await tab.opened('cross.png', cross());
   return { studio, tab, place: await tab.placer(240, 180) };
 }
@@ -114,7 +111,7 @@ test('a project goes out and comes in, here and on the command line', { timeout:
   const exported = (await tab.export('svg')).bytes, project = await tab.project(), command = await tab.command();
   assert.equal(command, 'inkgrid --project cross.inkgrid -o cross.svg');
   assert.deepEqual(await curvesOfProject(t, project), exported);
-  const other = await openTab(t, browser, studio.address);
+  const other = await tabOf(t, studio);
   await other.open('work.inkgrid', project);
   await other.waitToSay(/curves in/);
   await other.settled();

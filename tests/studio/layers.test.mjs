@@ -1,18 +1,14 @@
 // What the layers show, and how fast.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross, Sheet } from './drawings.mjs';
-import { eventually, launch, openTab, patience, startStudio } from './support.mjs';
+import { eventually, patience, startStudio } from './support.mjs';
+import { freshTab, tabWithCross } from './tabs.mjs';
 
 const kTriangles = 300_000;
 
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
-
 test('every layer draws something', { timeout: 2 * patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
   await tab.page.evaluate(() => document.activeElement.blur());
   for (const layer of ['input', 'ink', 'strokes', 'band', 'field', 'labels', 'grid', 'graph', 'widths', 'curves', 'handles']) {
@@ -30,7 +26,7 @@ test('every layer draws something', { timeout: 2 * patience }, async (t) => {
 const sketchy = () => [40, 120].reduce((sheet, y) => sheet.line([20, y], [190, y + 2], 4).line([120, y + 9], [300, y + 7], 4), new Sheet(320, 180)).png();
 
 test('bundles are joined, shown among the strokes, and kept apart where that is asked', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   await tab.opened('sketchy.png', sketchy());
   assert.equal(await tab.page.textContent('[data-option="bundles"] output'), 'chose keep', 'a clean drawing');
   const orange = () => tab.countOf([0xf0, 0x8a, 0x24]);
@@ -67,7 +63,7 @@ test('the layers of the method show what a scribble asked for', { timeout: patie
 });
 
 test('a filled area is told, shown and switched off', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   await tab.opened('blot.png', new Sheet(240, 180).line([20, 30], [220, 30], 4).line([20, 150], [220, 150], 4).disc(120, 90, 34).png());
   assert.match(await tab.said(), /^2 curves and a filled area in/);
   const [x, y] = (await tab.placer(240, 180))([120, 90]);
@@ -118,7 +114,7 @@ async function drawMany(count) {
 }
 
 test('300,000 triangles are uploaded once and drawn at once', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   const { drawn, uploads, median, seen } = await tab.page.evaluate(drawMany, kTriangles);
   assert.equal(seen, 255);
   assert.equal(drawn, 6, 'a call a frame');

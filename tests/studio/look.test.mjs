@@ -1,12 +1,9 @@
 // What everyone must be able to see, reach and hear: contrast, size of targets, names, what is said (WCAG 2.2, level AA).
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross } from './drawings.mjs';
-import { launch, openTab, patience, startStudio } from './support.mjs';
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
+import { patience } from './support.mjs';
+import { freshTab, tabWithCross } from './tabs.mjs';
 
 // In the page: every text and edge of a control that is too faint, as "what: ratio".
 function faint() {
@@ -48,7 +45,7 @@ function small() {
 }
 
 test('text and controls stand out, in the light and in the dark', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   const everywhere = async (where) => {
     for (const colorScheme of ['light', 'dark']) {
       await tab.page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
@@ -76,8 +73,7 @@ test('text and controls stand out, in the light and in the dark', { timeout: pat
 });
 
 test('every control has a name, every layer and setting a sentence', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   const unnamed = await tab.page.evaluate(() => {
     const nameOf = (control) => control.getAttribute('aria-label') || [...(control.labels ?? [])].map((label) => label.textContent).join('').trim() || control.textContent.trim();
     return [...document.querySelectorAll('button, input:not([hidden]), select, progress')].filter((control) => !nameOf(control) && !control.getAttribute('aria-labelledby')).map((control) => control.outerHTML);
@@ -93,7 +89,7 @@ test('every control has a name, every layer and setting a sentence', { timeout: 
 });
 
 test('on a phone the drawing is above the tools, and all of them are within reach', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   await tab.page.setViewportSize({ width: 390, height: 844 });
   const last = await tab.page.locator('#samples li').last().boundingBox();
   assert.ok(last.y + last.height < 844, 'all samples are seen at the beginning');
@@ -111,7 +107,7 @@ test('on a phone the drawing is above the tools, and all of them are within reac
 });
 
 test('what happens is told in live regions', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   assert.equal(await tab.page.getAttribute('#said', 'aria-live'), 'polite');
   assert.equal(await tab.page.getAttribute('#gone', 'role'), 'alert');
   await tab.opened('cross.png', cross());

@@ -1,17 +1,13 @@
 // Drawings come in, curves come out; what goes wrong is said.
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross, lattice } from './drawings.mjs';
-import { launch, openTab, patience, scratch, startStudio } from './support.mjs';
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
+import { patience, scratch, startStudio } from './support.mjs';
+import { freshTab, tabOf, tabWithCross } from './tabs.mjs';
 
 test('a file is shown with its curves', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   assert.equal(await tab.count(), 6);
   assert.match(await tab.page.textContent('#title'), /cross\.png · 240 × 180/);
   assert.match(await tab.said(), /^6 curves in .*ran threshold to fit\./);
@@ -21,13 +17,13 @@ test('a file is shown with its curves', { timeout: patience }, async (t) => {
 test('a drawing named on the command line is open from the start', { timeout: patience }, async (t) => {
   const path = await scratch(t);
   await writeFile(path('given.png'), cross());
-  const tab = await openTab(t, browser, (await startStudio(t, path('given.png'))).address);
+  const tab = await freshTab(t, path('given.png'));
   await tab.waitToSay(/6 curves/);
   assert.match(await tab.page.textContent('#title'), /^given\.png/);
 });
 
 test('a sample is opened with a key, and a dropped file takes its place', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   await tab.page.focus('#samples button >> nth=0');
   await tab.page.keyboard.press('Enter');
   await tab.waitToSay(/curves in/);
@@ -46,8 +42,7 @@ test('a sample is opened with a key, and a dropped file takes its place', { time
 });
 
 test('a wrong file is refused in one sentence and changes nothing', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   const wrong = { 'notes.txt': Buffer.from('no drawing'), 'cut.png': cross().subarray(0, 60), 'broken.inkgrid': Buffer.from('{"format":"inkgrid-project"'), 'other.json': Buffer.from('{"a":1}') };
   for (const [name, bytes] of Object.entries(wrong)) {
     await tab.open(name, bytes);
@@ -60,7 +55,7 @@ test('a wrong file is refused in one sentence and changes nothing', { timeout: p
 });
 
 test('a long job shows its stage and is cancelled', { timeout: 2 * patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
+  const tab = await freshTab(t);
   await tab.open('lattice.png', lattice());
   await tab.page.waitForSelector('#progress:not([hidden])');
   await tab.page.waitForFunction(() => ['band', 'frame field', 'labels'].includes(document.getElementById('progress-stage').textContent));
@@ -76,7 +71,7 @@ test('a long job shows its stage and is cancelled', { timeout: 2 * patience }, a
 
 test('two tabs have a drawing each', { timeout: patience }, async (t) => {
   const studio = await startStudio(t);
-  const [a, b] = [await openTab(t, browser, studio.address), await openTab(t, browser, studio.address)];
+  const [a, b] = [await tabOf(t, studio), await tabOf(t, studio)];
   await Promise.all([a.opened('a.png', cross()), b.opened('b.png', cross())]);
   await a.slide('spacing', 900);
   await b.slide('tolerance', 900);
@@ -88,8 +83,7 @@ test('two tabs have a drawing each', { timeout: patience }, async (t) => {
 });
 
 test('a reload comes back to the drawing and what was asked of it', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   await tab.slide('tolerance', 700);
   await tab.settled();
   const command = await tab.command();
@@ -100,7 +94,7 @@ test('a reload comes back to the drawing and what was asked of it', { timeout: p
 
 test('when the server stops the page says so and the project is saved', { timeout: patience }, async (t) => {
   const studio = await startStudio(t);
-  const tab = await openTab(t, browser, studio.address);
+  const tab = await tabOf(t, studio);
   await tab.opened('cross.png', cross());
   await tab.slide('tolerance', 700);
   await tab.settled();
@@ -115,7 +109,7 @@ test('when the server stops the page says so and the project is saved', { timeou
 
 test('a stop in the middle of a job is noticed', { timeout: patience }, async (t) => {
   const studio = await startStudio(t);
-  const tab = await openTab(t, browser, studio.address);
+  const tab = await tabOf(t, studio);
   await tab.open('lattice.png', lattice());
   await tab.page.waitForSelector('#progress:not([hidden])');
   await studio.stop();

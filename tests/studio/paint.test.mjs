@@ -1,26 +1,17 @@
 // Scribbles, sliders, undo, layers, and all of it without a mouse.
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross, Sheet } from './drawings.mjs';
-import { eventually, launch, openTab, patience, scratch, startStudio } from './support.mjs';
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
-
-async function withCross(t) {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
-  return tab;
-}
+import { eventually, patience, scratch } from './support.mjs';
+import { freshTab, tabWithCross } from './tabs.mjs';
 
 const pathsOf = (svg) => String(svg).match(/ d="[^"]*"/g).map((data) => data.match(/-?[\d.]+/g).map(Number));
 const same = (a, b) => a.length === b.length && a.every((x, i) => Math.abs(x - b[i]) < 0.02);
 const ids = (tab) => tab.page.$$eval('#curve-list button', (buttons) => buttons.map((button) => button.dataset.id));
 
 test('each scribble changes what it touches and nothing else, and undo brings all back', { timeout: 2 * patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180);
   const first = (await tab.export('svg')).bytes, firstIds = await ids(tab);
   for (const tool of ['less', 'more']) {
     await tab.page.click(`#tools button:has(.glyph-${tool})`);
@@ -43,7 +34,7 @@ test('each scribble changes what it touches and nothing else, and undo brings al
 });
 
 test('the curves answer while the pen rests, before it is lifted', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180), before = await ids(tab);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), before = await ids(tab);
   await tab.page.click('#tools button:has(.glyph-more)');
   await tab.page.mouse.move(...place([140, 106]));
   await tab.page.mouse.down();
@@ -56,7 +47,7 @@ test('the curves answer while the pen rests, before it is lifted', { timeout: pa
 });
 
 test('a stroke that is given up leaves the curves as they were', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180), before = await ids(tab);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), before = await ids(tab);
   await tab.page.click('#tools button:has(.glyph-more)');
   await tab.page.mouse.move(...place([140, 106]));
   await tab.page.mouse.down();
@@ -71,7 +62,7 @@ test('a stroke that is given up leaves the curves as they were', { timeout: pati
 });
 
 test('the eraser takes scribbles away, and the brush grows and shrinks', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180), first = (await tab.export('svg')).bytes;
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), first = (await tab.export('svg')).bytes;
   const stroke = [[140, 106], [220, 146]].map(place);
   await tab.page.keyboard.press('Escape');
   await tab.page.focus('#stage');
@@ -90,7 +81,7 @@ test('the eraser takes scribbles away, and the brush grows and shrinks', { timeo
 const kRan = { threshold: '; ran threshold to fit\\.', reach: '; ran slim ink to fit\\.', spacing: '; ran slim ink to fit\\.', gap: '; ran chains to fit\\.', tolerance: '; ran fit\\.' };
 
 test('every slider changes the curves, says what runs, and is reset', { timeout: 2 * patience }, async (t) => {
-  const tab = await withCross(t), first = (await tab.export('svg')).bytes, plain = await tab.command();
+  const tab = await tabWithCross(t), first = (await tab.export('svg')).bytes, plain = await tab.command();
   for (const option of ['threshold', 'reach', 'spacing', 'gap', 'tolerance']) {
     await tab.slide(option, option === 'threshold' ? 900 : 800);
     await tab.settled();
@@ -110,7 +101,7 @@ test('every slider changes the curves, says what runs, and is reset', { timeout:
 });
 
 test('a number is typed, a wrong one is refused', { timeout: patience }, async (t) => {
-  const tab = await withCross(t);
+  const tab = await tabWithCross(t);
   await tab.page.fill('#option-spacing', '1.5');
   await tab.page.press('#option-spacing', 'Enter');
   await tab.settled();
@@ -122,7 +113,7 @@ test('a number is typed, a wrong one is refused', { timeout: patience }, async (
 });
 
 test('a slider that is dragged is one step to undo, and the threshold shows its ink meanwhile', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), plain = await tab.command();
+  const tab = await tabWithCross(t), plain = await tab.command();
   const ink = () => tab.page.evaluate(() => {
     const canvas = document.getElementById('paper');
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -148,7 +139,7 @@ test('a slider that is dragged is one step to undo, and the threshold shows its 
 });
 
 test('gap bridging joins a broken stroke, and none keeps it broken', { timeout: patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address), broken = new Sheet(240, 180).line([20, 60], [105, 60]).line([115, 60], [220, 60]).line([20, 120], [220, 120]);
+  const tab = await freshTab(t), broken = new Sheet(240, 180).line([20, 60], [105, 60]).line([115, 60], [220, 60]).line([20, 120], [220, 120]);
   await tab.opened('broken.png', broken.png());
   const set = async (value, count) => {
     await tab.page.fill('#option-gap', value);
@@ -168,7 +159,7 @@ test('gap bridging joins a broken stroke, and none keeps it broken', { timeout: 
 });
 
 test('held keys compare, and a curve tells its measures', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180);
   const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
   await tab.page.mouse.move(...place([60, 60]));
   await tab.page.waitForSelector('#card:not([hidden])');
@@ -187,7 +178,7 @@ test('held keys compare, and a curve tells its measures', { timeout: patience },
 });
 
 test('a split slider has the drawing on one side and the curves on the other', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180);
   await tab.page.evaluate(() => document.activeElement.blur());
   await tab.page.keyboard.press('c');
   const black = async (x, y) => {
@@ -212,7 +203,7 @@ test('a split slider has the drawing on one side and the curves on the other', {
 });
 
 test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), zoom = () => tab.page.textContent('#zoom'), fitted = await zoom();
+  const tab = await tabWithCross(t), zoom = () => tab.page.textContent('#zoom'), fitted = await zoom();
   const place = await tab.placer(240, 180);
   await tab.page.mouse.move(...place([60, 60]));
   await tab.page.mouse.wheel(0, -300);
@@ -231,7 +222,7 @@ test('a wheel zooms about the pointer and keys zoom, move and fit', { timeout: p
 });
 
 test('a pen paints as a mouse does', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
   const pen = (type, [x, y]) => client.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1, clickCount: 1, pointerType: 'pen' });
   await tab.page.click('#tools button:has(.glyph-less)');
   await pen('mousePressed', place([140, 106]));
@@ -244,7 +235,7 @@ test('a pen paints as a mouse does', { timeout: patience }, async (t) => {
 });
 
 test('touch paints with one finger and zooms with two', { timeout: patience }, async (t) => {
-  const tab = await withCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), client = await tab.page.context().newCDPSession(tab.page);
   const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   await tab.page.click('#tools button:has(.glyph-more)');
   await touch('touchStart', place([140, 106]));
@@ -264,7 +255,7 @@ test('touch paints with one finger and zooms with two', { timeout: patience }, a
 test('everything is done with the keyboard alone', { timeout: 2 * patience }, async (t) => {
   const path = await scratch(t);
   await writeFile(path('cross.png'), cross());
-  const tab = await openTab(t, browser, (await startStudio(t, path('cross.png'))).address), { keyboard } = tab.page;
+  const tab = await freshTab(t, path('cross.png')), { keyboard } = tab.page;
   const focusOn = async (selector) => {
     for (let k = 0; k < 80; ++k) {
       if (await tab.page.evaluate((s) => document.activeElement?.matches(s), selector)) return;

@@ -1,8 +1,8 @@
 // After anything a person may do in a row, the curves are those of one fresh run of what they ended with.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { cross } from './drawings.mjs';
-import { curvesOfProject, launch, openTab, patience, startStudio } from './support.mjs';
+import { test } from 'node:test';
+import { curvesOfProject, patience } from './support.mjs';
+import { tabWithCross } from './tabs.mjs';
 
 const kSteps = 200;
 
@@ -14,13 +14,8 @@ function sequence(seed) {
   };
 }
 
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
-
 test('200 scribbles, hand edits, slider moves, undos and cancels', { timeout: 6 * patience }, async (t) => {
-  const tab = await openTab(t, browser, (await startStudio(t)).address);
-  await tab.opened('cross.png', cross());
+  const tab = await tabWithCross(t);
   const place = await tab.placer(240, 180), random = sequence(7);
   const somewhere = () => place([240 * random(), 180 * random()]);
   const onCurve = [[40, 60], [150, 60], [90, 40], [90, 110], [160, 110], [200, 142]];

@@ -3,13 +3,10 @@ import assert from 'node:assert/strict';
 import { createServer, request } from 'node:http';
 import { connect } from 'node:net';
 import { networkInterfaces } from 'node:os';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { cross } from './drawings.mjs';
-import { launch, openTab, patience, run, startStudio } from './support.mjs';
-
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
+import { patience, run, startStudio } from './support.mjs';
+import { tabOf } from './tabs.mjs';
 
 // A request with any headers, which fetch would not send.
 const raw = (studio, { method = 'GET', path = '/api/about', headers = {}, body = '' } = {}) =>
@@ -167,7 +164,7 @@ async function attack(target, id) {
 }
 
 test('a hostile page in the same browser reads nothing and changes nothing', { timeout: patience }, async (t) => {
-  const studio = await startStudio(t), tab = await openTab(t, browser, studio.address);
+  const studio = await startStudio(t), tab = await tabOf(t, studio);
   await tab.opened('cross.png', cross());
   const id = await tab.page.evaluate(() => JSON.parse(sessionStorage.getItem('inkgrid-document')).id);
   const site = createServer((_, answer) => answer.writeHead(200, { 'Content-Type': 'text/html' }).end('<!doctype html><title>evil</title>'));
