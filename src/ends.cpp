@@ -410,6 +410,26 @@ double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& op
   return 0;
 }
 
+// From a place in a stroke to its rim on both sides, on average; no more than `farthest` is looked at.
+double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
+  double sum = 0;
+  for (const Vec2 side : {across, Vec2{} - across}) {
+    double t = 0;
+    while (t < farthest && on_ink(ink, p + t * side)) t += 0.25;
+    sum += t;
+  }
+  return sum / 2;
+}
+
+// How far inside the end of its ink a stroke ends: where it is as far from there as from its sides, as the middle of a round
+// cap is. Beside other ink, half the width of its chain.
+double cap_radius(const Ink& ink, Vec2 end, Vec2 outward, double half_width) {
+  double inside = 0.25;
+  while (inside < half_width && half_chord(ink, end - inside * outward, quarter_turn(outward), half_width) > inside)
+    inside += 0.25;
+  return std::min(inside, half_width);
+}
+
 }  // namespace
 
 Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
@@ -418,7 +438,8 @@ Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
       if (!is_free(chain, at_start)) continue;
       unfold(chain, at_start, ink.stroke_width);
       const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
-      const double further = to_ink_end(ink, tip, direction, options, 4 * ink.stroke_width) - 0.5 * chain.width;
+      const double to_end = to_ink_end(ink, tip, direction, options, 4 * ink.stroke_width);
+      const double further = to_end - cap_radius(ink, tip + to_end * direction, direction, 0.5 * chain.width);
       if (further > 0)
         append(chain, at_start, tip + further * direction);
       else

@@ -94,6 +94,17 @@ TEST(Ends, FreeEndsReachTheEndOfTheirInk) {
   }
 }
 
+TEST(Ends, TheLastStrokeOfABundleEndsHalfItsOwnWidthInside) {
+  for (const double degrees : {0.0, 30.0}) {
+    const Vec2 axis = towards(degrees), a = Vec2{100.3, 100.8} - 60.0 * axis, b = Vec2{100.3, 100.8} + 60.0 * axis;
+    Image image = blank(200, 200);
+    paint(image, {a, b}, 4);
+    paint(image, {a, b - 30.0 * axis}, 12);
+    const Chains reached = reach_ends({{}, {chain_along({a, b}, 12)}}, ink_of(image), kEnds);
+    EXPECT_LT(norm(reached.chains[0].points.back() - b), 0.8) << degrees;
+  }
+}
+
 TEST(Ends, AnEndThatTurnsBackInItsStrokeEndsAtTheTurn) {
   Image image = blank(160, 60);
   paint(image, {{20, 30}, {140, 30}}, kWidth);
