@@ -24,12 +24,12 @@ struct Energies {
 
 Energies energies_of(const Stages& stages) {
   const Options& options = stages.inputs.settled;
-  const double spacing = *options.spacing * stages.ink.stroke_width / stages.slim.stroke_width;
+  const double spacing = *options.spacing * stages.ink.stroke_width / grid_ink(stages).stroke_width;
   const GridMapOptions map_options{spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
   const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
-  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, stages.slim, map_options);
+  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options);
   const HeldVertices held = held_vertices(stages.mesh, cuts, nullptr);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.slim, map_options, cuts, snap, held};
+  const MapSetup setup{stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);
   Energies sum;
   for (int component = 0; component < stages.mesh.components; ++component) {

@@ -98,9 +98,9 @@ double map_seconds(const Stages& stages) {
   const GridMapOptions map_options{
       *options.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
   const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
-  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, stages.slim, map_options);
+  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options);
   const HeldVertices held = held_vertices(stages.mesh, cuts, nullptr);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, stages.slim, map_options, cuts, snap, held};
+  const MapSetup setup{stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);
   Triplets<double> lower;
   std::vector<double> right;
@@ -134,7 +134,7 @@ void run(const char* const* arguments) {
   options.reach = std::atof(arguments[2]);
   options.spacing = std::atof(arguments[3]);
   const Stages stages = run_stages(decode_image(bytes, arguments[0]), options, {});
-  const FieldSystem field = assemble_field(stages.mesh, vertex_space(stages.mesh), stages.slim);
+  const FieldSystem field = assemble_field(stages.mesh, vertex_space(stages.mesh), grid_ink(stages));
   std::cout << nlohmann::json{{"field", complex_field_seconds(field)},
                               {"field_real", real_field_seconds(field)},
                               {"map", map_seconds(stages)},

@@ -66,7 +66,7 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
     paper = on_ink(ink, q) ? 0 : paper + 0.5;
     all_paper += on_ink(ink, q) ? 0 : 0.5;
     if (paper > options.bridge || (t >= options.reach && all_paper > 0)) return std::nullopt;
-    const int owner = nearest(ownership.owner, q, -1);
+    const int owner = ownership.owner.at(q);
     if (owner < 0) continue;
     const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
     const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
@@ -449,6 +449,7 @@ Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
 }
 
 Chains reach_fills(Chains chains, const Fills& fills, double reach) {
+  if (fills.count == 0) return chains;
   for (auto& chain : chains.chains)
     for (const bool at_start : {true, false}) {
       if (chain.mark || !is_free(chain, at_start)) continue;

@@ -38,24 +38,44 @@ std::vector<float> gaussian_kernel(double sigma) {
   return kernel;
 }
 
+// A row of a raster blurred along itself.
+struct BlurredRow {
+  int first = 0, end = 0;  // what is not zero of it
+  std::vector<float> values;
+
+  // Beyond the border a row goes on as it ends.
+  void blur(const Raster<float>& in, int y, const std::vector<float>& kernel) {
+    const int r = static_cast<int>(kernel.size() / 2);
+    const float* const row = &in.data[in.index(0, y)];
+    first = static_cast<int>(std::find_if(row, row + in.width, [](float value) { return value != 0; }) - row);
+    end = in.width;
+    while (end > 0 && row[end - 1] == 0) --end;
+    if (first >= end) return;
+    first = std::max(0, first - r);
+    end = std::min(in.width, end + r);
+    if (first >= end) return;
+    std::vector<float> line;
+    for (int x = first - r; x < end + r; ++x) line.push_back(row[std::clamp(x, 0, in.width - 1)]);
+    values.assign(at(in.width), 0.0F);
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (int x = first; x < end; ++x) values[at(x)] += kernel[k] * line[at(x - first) + k];
+  }
+};
+
 Raster<float> blurred(const Raster<float>& in, double sigma) {
   const auto kernel = gaussian_kernel(sigma);
   const int r = static_cast<int>(kernel.size() / 2);
-  Raster<float> rows(in.width, in.height), out(in.width, in.height);
-  std::vector<float> line(static_cast<std::size_t>(in.width + 2 * r));  // a row that goes on beyond the border as it ends
+  Raster<float> out(in.width, in.height);
+  std::vector<BlurredRow> rows(kernel.size());  // of each in turn
+  for (int y = 0; y < std::min(r, in.height); ++y) rows[at(y)].blur(in, y, kernel);
   for (int y = 0; y < in.height; ++y) {
-    for (int x = -r; x < in.width + r; ++x) line[static_cast<std::size_t>(x + r)] = in(std::clamp(x, 0, in.width - 1), y);
-    float* const to = &rows.data[rows.index(0, y)];
-    for (std::size_t k = 0; k < kernel.size(); ++k)
-      for (int x = 0; x < in.width; ++x) to[x] += kernel[k] * line[static_cast<std::size_t>(x) + k];
-  }
-  for (int y = 0; y < in.height; ++y)
+    if (y + r < in.height) rows[at(y + r) % rows.size()].blur(in, y + r, kernel);
     for (int k = -r; k <= r; ++k) {
-      const float weight = kernel[static_cast<std::size_t>(k + r)];
-      const float* const from = &rows.data[rows.index(0, std::clamp(y + k, 0, in.height - 1))];
-      float* const to = &out.data[out.index(0, y)];
-      for (int x = 0; x < in.width; ++x) to[x] += weight * from[x];
+      const BlurredRow& from = rows[at(std::clamp(y + k, 0, in.height - 1)) % rows.size()];
+      const float weight = kernel[at(k + r)];
+      for (int x = from.first; x < from.end; ++x) out(x, y) += weight * from.values[at(x)];
     }
+  }
   return out;
 }
 

@@ -213,11 +213,11 @@ void add_fill(const Piece& piece, const PenStrokes& strokes, Raster<std::uint8_t
 
 Fills number_fills(const Raster<std::uint8_t>& filled) {
   Fills fills;
-  fills.region = Raster<int>(filled.width, filled.height, -1);
   Raster<std::uint8_t> seen(filled.width, filled.height);
   for (int y = 0; y < filled.height; ++y)
     for (int x = 0; x < filled.width; ++x) {
       if (!filled(x, y) || seen(x, y)) continue;
+      if (fills.count == 0) fills.region = Raster<int>(filled.width, filled.height, -1);
       flood(
           seen, {x, y}, [&](int i, int j) { return filled(i, j) != 0; }, [&](Pixel p) { fills.region(p.x, p.y) = fills.count; });
       ++fills.count;
@@ -246,6 +246,7 @@ Fills find_fills(const Binarisation& ink) {
 
 Binarisation without_fills(Binarisation ink, const Fills& fills) {
   constexpr int kRim = 2;  // px
+  if (fills.count == 0) return ink;
   for (int y = 0; y < ink.ink.height; ++y)
     for (int x = 0; x < ink.ink.width; ++x) {
       if (fills.region(x, y) < 0) continue;

@@ -11,7 +11,7 @@
 namespace inkgrid {
 
 struct Fills {
-  Raster<int> region;  // index of the fill that the pixel belongs to, -1 elsewhere
+  Raster<int> region;  // index of the fill that the pixel belongs to, -1 elsewhere; empty where there is none
   int count = 0;
   std::vector<std::vector<std::vector<Vec2>>> outlines;  // per fill: closed polylines, the outermost first, or none; px
   double stroke_width = 0;                               // of the strokes beside the fills, px; 0 where there are none

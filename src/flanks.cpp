@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/index_raster.h"
 #include "base/raster.h"
 #include "polyline.h"
 
@@ -62,12 +63,12 @@ Samples sample(const std::vector<Chain>& chains) {
 }
 
 // Per pixel a sample that lies in it or just left of or above it, or -1: no ray passes between two samples of a chain.
-Raster<int> paint(const Samples& samples, int width, int height) {
-  Raster<int> nearest(width, height, -1);
+IndexRaster paint(const Samples& samples, int width, int height) {
+  IndexRaster nearest(width, height);
   for (int i = 0; i < static_cast<int>(samples.all.size()); ++i) {
     const int x = static_cast<int>(std::floor(samples[i].at.x)), y = static_cast<int>(std::floor(samples[i].at.y));
     for (const auto [px, py] : {std::array{x + 1, y}, {x, y + 1}, {x, y}})
-      if (nearest.contains(px, py)) nearest(px, py) = i;
+      if (nearest.contains(px, py)) nearest.set(px, py, i);
   }
   return nearest;
 }
@@ -78,7 +79,7 @@ struct Neighbour {
 };
 
 // The first other chain that a ray along the normal meets.
-Neighbour look(const Samples& samples, const Raster<int>& painted, int i, Vec2 normal, double farthest) {
+Neighbour look(const Samples& samples, const IndexRaster& painted, int i, Vec2 normal, double farthest) {
   const Sample& s = samples[i];
   for (double t = kStep; t < farthest; t += kRayStep) {
     const Vec2 p = s.at + t * normal;
@@ -98,7 +99,7 @@ class FlankFinder {
  public:
   FlankFinder(const std::vector<Chain>& chains, int width, int height, const FlankOptions& options)
       : chains_(chains), options_(options), samples_(sample(chains)), near_(samples_.all.size()) {
-    const Raster<int> painted = paint(samples_, width, height);
+    const IndexRaster painted = paint(samples_, width, height);
     for (int i = 0; i < static_cast<int>(samples_.all.size()); ++i) {
       const Vec2 left{-samples_[i].tangent.y, samples_[i].tangent.x};
       near_[static_cast<std::size_t>(i)] = {look(samples_, painted, i, left, options.farthest),

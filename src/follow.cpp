@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index_raster.h"
 #include "base/sample.h"
 #include "polyline.h"
 
@@ -21,8 +22,7 @@ constexpr float kWayOn = -1;     // in the place of a position along the chain: 
 // Which chain passes nearby.  Of each pixel the last one painted counts.
 class Territory {
  public:
-  Territory(const Chains& chains, const Ink& ink)
-      : chain_(ink.width(), ink.height(), -1), position_(ink.width(), ink.height(), 0) {
+  Territory(const Chains& chains, const Ink& ink) : chain_(ink.width(), ink.height()), position_(ink.width(), ink.height()) {
     for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
       const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
       const auto points = resampled(chain.points, 1);
@@ -34,7 +34,7 @@ class Territory {
 
   // Whether a chain is here: another one, or a part of this one that is more than `tail` px from its start, or its end.
   bool taken(Vec2 p, int chain, bool from_start, double tail) const {
-    const int owner = nearest(chain_, p, -1);
+    const int owner = chain_.at(p);
     if (owner != chain) return owner >= 0;
     const double position = static_cast<double>(nearest(position_, p, 0.0F));
     return position < 0 || (from_start ? position : ends_[static_cast<std::size_t>(chain)].length - position) > tail;
@@ -42,7 +42,7 @@ class Territory {
 
   // Whether the chain here has a free end within `farthest` px along it.
   bool free_end_within(Vec2 p, double farthest) const {
-    const Ends& ends = ends_[static_cast<std::size_t>(nearest(chain_, p, -1))];
+    const Ends& ends = ends_[static_cast<std::size_t>(chain_.at(p))];
     const double position = static_cast<double>(nearest(position_, p, 0.0F));
     return position >= 0 && ((ends.free_start && position < farthest) || (ends.free_end && ends.length - position < farthest));
   }
@@ -51,7 +51,7 @@ class Territory {
     for (int y = floor_of(p.y - radius); y <= floor_of(p.y + radius); ++y)
       for (int x = floor_of(p.x - radius); x <= floor_of(p.x + radius); ++x) {
         if (!chain_.contains(x, y) || norm(Vec2{x + 0.5, y + 0.5} - p) > radius) continue;
-        chain_(x, y) = chain;
+        chain_.set(x, y, chain);
         position_(x, y) = position;
       }
   }
@@ -62,7 +62,7 @@ class Territory {
     bool free_start, free_end;
   };
 
-  Raster<int> chain_;
+  IndexRaster chain_;
   Raster<float> position_;  // along that chain, px
   std::vector<Ends> ends_;
 };

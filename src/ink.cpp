@@ -11,6 +11,7 @@ namespace inkgrid {
 namespace {
 
 constexpr std::uint16_t kFar = std::numeric_limits<std::uint16_t>::max();
+constexpr int kStrip = 256;                                           // rows at a time
 const float kNowhere = std::sqrt(std::numeric_limits<float>::max());  // px
 
 std::uint16_t one_more(std::uint16_t d) {
@@ -41,31 +42,36 @@ Raster<std::uint16_t> l1_depth(const Raster<std::uint8_t>& mask) {
 class Envelope {
  public:
   explicit Envelope(int width)
-      : width_(width), site_(static_cast<std::size_t>(width)), bound_(static_cast<std::size_t>(width) + 1) {}
+      : width_(width),
+        columns_(static_cast<std::size_t>(width)),
+        site_(static_cast<std::size_t>(width)),
+        bound_(static_cast<std::size_t>(width) + 1) {}
 
-  // Between pixels of distance 0, nothing beyond them counts.
-  void transform(const std::uint16_t* columns, float* distances) {
+  // From distances in the columns to those in the plane.  Between pixels of distance 0, nothing beyond them counts.
+  void transform(float* row) {
     for (int first = 0; first < width_; ++first) {
-      if (columns[first] == 0) continue;
-      const int end = static_cast<int>(std::find(columns + first, columns + width_, 0) - columns);
-      transform(columns, std::max(0, first - 1), std::min(end, width_ - 1), distances);
+      if (row[first] == 0) continue;
+      const int end = static_cast<int>(std::find(row + first, row + width_, 0.0F) - row);
+      const int from = std::max(0, first - 1), last = std::min(end, width_ - 1);
+      std::copy(row + from, row + last + 1, columns_.begin() + from);
+      transform(from, last, row);
       first = end;
     }
   }
 
  private:
-  static double square(std::uint16_t d) { return static_cast<double>(static_cast<float>(d) * static_cast<float>(d)); }
+  double square(int x) const { return static_cast<double>(at(columns_, x) * at(columns_, x)); }
 
-  void transform(const std::uint16_t* columns, int first, int last, float* distances) {
+  void transform(int first, int last, float* distances) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     int top = -1;
     for (int q = first; q <= last; ++q) {
-      if (columns[q] == kFar) continue;
-      const double f = square(columns[q]) + double(q) * q;
+      if (at(columns_, q) == kFar) continue;
+      const double f = square(q) + double(q) * q;
       double s = -kInfinite;
       while (top >= 0) {
         const int v = at(site_, top);
-        s = (f - (square(columns[v]) + double(v) * v)) / (2.0 * (q - v));
+        s = (f - (square(v) + double(v) * v)) / (2.0 * (q - v));
         if (s > at(bound_, top)) break;
         s = -kInfinite;
         --top;
@@ -77,55 +83,72 @@ class Envelope {
     for (int p = first, k = 0; p <= last; ++p) {
       while (top >= 0 && at(bound_, k + 1) < p) ++k;
       const double d = p - at(site_, k);
-      distances[p] = top < 0 ? kNowhere : std::sqrt(static_cast<float>(d * d + square(columns[at(site_, k)])));
+      distances[p] = top < 0 ? kNowhere : std::sqrt(static_cast<float>(d * d + square(at(site_, k))));
     }
   }
 
   int width_;
-  std::vector<int> site_;      // of each parabola of the envelope
-  std::vector<double> bound_;  // where it begins
+  std::vector<float> columns_;  // distances in the columns, px
+  std::vector<int> site_;       // of each parabola of the envelope
+  std::vector<double> bound_;   // where it begins
 };
 
 // Per pixel: the distance to the next pixel of the mask in its column, at most `most`.
-Raster<std::uint16_t> column_distance(const Raster<std::uint8_t>& mask, std::uint16_t most) {
-  Raster<std::uint16_t> distance(mask.width, mask.height);
-  std::transform(mask.data.begin(), mask.data.end(), distance.data.begin(), [&](auto m) { return m ? std::uint16_t{0} : most; });
-  const auto lower_by = [&](int y, int from) {
-    std::uint16_t* const row = &distance(0, y);
-    const std::uint16_t* const other = &distance(0, from);
-    for (int x = 0; x < mask.width; ++x) row[x] = static_cast<std::uint16_t>(std::min<int>(row[x], other[x] + 1));
+template <class Distance>
+Raster<Distance> column_distance(const Raster<std::uint8_t>& mask, Distance most) {
+  constexpr int kBlock = 1024;  // px of a row: nothing is written where all of them are in the mask
+  Raster<Distance> distance(mask.width, mask.height);
+  const auto for_each_block = [&](int y, auto visit) {
+    const std::uint8_t* const row = &mask(0, y);
+    for (int x = 0; x < mask.width; x += kBlock) {
+      const int end = std::min(mask.width, x + kBlock);
+      if (std::find(row + x, row + end, 0) != row + end) visit(x, end);
+    }
   };
-  for (int y = 1; y < mask.height; ++y) lower_by(y, y - 1);
-  for (int y = mask.height - 2; y >= 0; --y) lower_by(y, y + 1);
+  const auto nearer = [](Distance d, Distance neighbour) {
+    return static_cast<Distance>(std::min<decltype(d + 1)>(d, neighbour + 1));
+  };
+  for (int y = 0; y < mask.height; ++y)
+    for_each_block(y, [&](int first, int end) {
+      for (int x = first; x < end; ++x) distance(x, y) = mask(x, y) ? Distance{0} : most;
+      for (int x = first; x < end && y > 0; ++x) distance(x, y) = nearer(distance(x, y), distance(x, y - 1));
+    });
+  for (int y = mask.height - 2; y >= 0; --y)
+    for_each_block(y, [&](int first, int end) {
+      for (int x = first; x < end; ++x) distance(x, y) = nearer(distance(x, y), distance(x, y + 1));
+    });
   return distance;
 }
 
-// Pixels within `radius` (Euclidean, between centres) of one of the mask: in each row, the union of the chords of the discs.
-Raster<std::uint8_t> dilated(const Raster<std::uint8_t>& mask, double radius) {
+// Calls visit(x, y) for the pixels within `radius` (Euclidean, between centres) of one of `value`, or for those that are not: in
+// each row, the union of the chords of the discs.  A strip at a time, so that the distances of few rows are held at once.
+template <class Visit>
+void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, double radius, bool within, Visit visit) {
   const auto r = static_cast<float>(radius);  // a radius that is whole but for rounding errors is whole
   const int w = mask.width, reach = static_cast<int>(std::floor(std::max(0.0F, r)));
   std::vector<int> half_chord;  // by the distance from the centre
   for (int d = 0; d <= reach; ++d) half_chord.push_back(static_cast<int>(std::sqrt(r * r - static_cast<float>(d * d))));
-  const auto distance = column_distance(mask, static_cast<std::uint16_t>(reach + 1));
-  Raster<std::uint8_t> result(w, mask.height);
   std::vector<int> change(static_cast<std::size_t>(w) + 1);  // of the number of chords over a pixel, from the one before
-  for (int y = 0; y < mask.height; ++y) {
-    std::fill(change.begin(), change.end(), 0);
-    for (int x = 0; x < w; ++x) {
-      if (distance(x, y) > reach) continue;
-      const int half = half_chord[distance(x, y)];
-      ++change[static_cast<std::size_t>(std::max(0, x - half))];
-      --change[static_cast<std::size_t>(std::min(w, x + half + 1))];
+  const int height = std::max(kStrip, 4 * reach);
+  for (int top = 0; top < mask.height; top += height) {
+    const int first = std::max(0, top - reach), bottom = std::min(mask.height, top + height);
+    Raster<std::uint8_t> strip(w, std::min(mask.height, bottom + reach) - first);
+    std::transform(&mask(0, first), &mask(0, first) + strip.data.size(), strip.data.begin(), [&](auto m) { return m == value; });
+    const auto distance = column_distance(strip, static_cast<std::uint16_t>(reach + 1));
+    for (int y = top; y < bottom; ++y) {
+      std::fill(change.begin(), change.end(), 0);
+      for (int x = 0; x < w; ++x) {
+        const int away = distance(x, y - first);
+        if (away > reach) continue;
+        const int half = half_chord[static_cast<std::size_t>(away)];
+        ++change[static_cast<std::size_t>(std::max(0, x - half))];
+        --change[static_cast<std::size_t>(std::min(w, x + half + 1))];
+      }
+      int chords = 0;
+      for (int x = 0; x < w; ++x)
+        if (((chords += change[static_cast<std::size_t>(x)]) > 0) == within) visit(x, y);
     }
-    int chords = 0;
-    for (int x = 0; x < w; ++x) result(x, y) = (chords += change[static_cast<std::size_t>(x)]) > 0;
   }
-  return result;
-}
-
-Raster<std::uint8_t> inverted(Raster<std::uint8_t> mask) {
-  for (auto& pixel : mask.data) pixel = !pixel;
-  return mask;
 }
 
 bool is_centre(const Raster<std::uint16_t>& depth, int x, int y) {
@@ -150,9 +173,9 @@ double average_stroke_width(const Raster<std::uint16_t>& depth) {
   return count ? sum / static_cast<double>(count) : std::min(depth.width, depth.height);
 }
 
-// The depth of the centre line that each stroke pixel belongs to: climbing the depth to its summit.
+// By the depth of the centre line that each stroke pixel belongs to: climbing the depth to its summit.
 // Pixels are visited by falling depth, so that the answer of the higher neighbour is known.
-Raster<float> normalized_centre_distance(const Raster<std::uint16_t>& depth) {
+Raster<float> rise_of(const Raster<std::uint16_t>& depth) {
   std::vector<std::vector<std::size_t>> by_depth;
   for (std::size_t i = 0; i < depth.data.size(); ++i) {
     const std::size_t d = std::min<std::size_t>(depth.data[i], static_cast<std::size_t>(depth.width + depth.height));
@@ -160,7 +183,7 @@ Raster<float> normalized_centre_distance(const Raster<std::uint16_t>& depth) {
     if (by_depth.size() <= d) by_depth.resize(d + 1);
     by_depth[d].push_back(i);
   }
-  Raster<float> summit(depth.width, depth.height, 1.0f);
+  Raster<float> summit(depth.width, depth.height);
   const auto w = static_cast<std::size_t>(depth.width);
   for (std::size_t d = by_depth.size(); d-- > 0;) {
     for (const std::size_t i : by_depth[d]) {
@@ -177,17 +200,16 @@ Raster<float> normalized_centre_distance(const Raster<std::uint16_t>& depth) {
     }
   }
   for (std::size_t i = 0; i < depth.data.size(); ++i)
-    summit.data[i] = depth.data[i] ? std::max(0.0f, 1.0f - static_cast<float>(depth.data[i]) / summit.data[i]) : 1.0f;
+    if (depth.data[i]) summit.data[i] = std::min(1.0f, static_cast<float>(depth.data[i]) / summit.data[i]);
   return summit;
 }
 
 }  // namespace
 
 Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
-  const Raster<std::uint16_t> columns = column_distance(mask, kFar);
-  Raster<float> distance(mask.width, mask.height);
+  Raster<float> distance = column_distance(mask, static_cast<float>(kFar));
   Envelope envelope(mask.width);
-  for (int y = 0; y < mask.height; ++y) envelope.transform(&columns.data[columns.index(0, y)], &distance(0, y));
+  for (int y = 0; y < mask.height; ++y) envelope.transform(&distance(0, y));
   return distance;
 }
 
@@ -197,11 +219,14 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
   Raster<std::uint8_t> extended(w + 2 * margin, h + 2 * margin);
   for (int y = 0; y < extended.height; ++y)
     for (int x = 0; x < extended.width; ++x)
-      extended(x, y) = ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1));
-  const Raster<std::uint8_t> closing = inverted(dilated(inverted(dilated(extended, radius)), radius));
-  Raster<std::uint8_t> closed(w, h);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) closed(x, y) = ink.mask(x, y) || closing(x + margin, y + margin);
+      if (ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1))) extended(x, y) = 1;
+  Raster<std::uint8_t> wide(extended.width, extended.height), closed(w, h);
+  for_each_within(extended, 1, radius, true, [&](int x, int y) { wide(x, y) = 1; });
+  for_each_within(wide, 0, radius, false, [&](int x, int y) {
+    if (closed.contains(x - margin, y - margin)) closed(x - margin, y - margin) = 1;
+  });
+  for (std::size_t i = 0; i < closed.data.size(); ++i)
+    if (ink.mask.data[i]) closed.data[i] = 1;
   return closed;
 }
 
@@ -215,7 +240,7 @@ Ink measure_ink(Binarisation binarisation) {
   if (ink.pixels == 0) return ink;
   ink.depth = l1_depth(ink.mask);
   ink.gap = distance_to(ink.mask);
-  ink.centre_distance = normalized_centre_distance(ink.depth);
+  ink.rise = rise_of(ink.depth);
   ink.stroke_width = average_stroke_width(ink.depth);
   return ink;
 }

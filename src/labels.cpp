@@ -17,7 +17,8 @@ namespace {
 Raster<std::uint8_t> dilated(const Ink& ink) {
   const auto radius = static_cast<float>(std::lround(ink.stroke_width / 4));
   Raster<std::uint8_t> thick(ink.width(), ink.height());
-  for (std::size_t i = 0; i < thick.data.size(); ++i) thick.data[i] = ink.gap.data[i] <= radius;
+  for (std::size_t i = 0; i < thick.data.size(); ++i)
+    if (ink.gap.data[i] <= radius) thick.data[i] = 1;
   return thick;
 }
 

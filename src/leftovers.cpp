@@ -15,7 +15,7 @@ struct Piece {
   bool reached = false;
 };
 
-Piece collect_piece(const Ink& ink, const Raster<int>& owner, Raster<std::uint8_t>& seen, int x0, int y0) {
+Piece collect_piece(const Ink& ink, const IndexRaster& owner, Raster<std::uint8_t>& seen, int x0, int y0) {
   Piece piece;
   std::vector<std::pair<int, int>> stack{{x0, y0}};
   seen(x0, y0) = 1;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "base/index_raster.h"
 #include "chains.h"
 
 namespace inkgrid {
@@ -18,7 +19,7 @@ struct ChainSample {
 struct Ownership {
   std::vector<ChainSample> samples;  // all points of all chains, in order
   std::vector<int> first;            // per chain: its first sample
-  Raster<int> owner;                 // per pixel: index of the nearest sample, -1 off the band around the ink
+  IndexRaster owner;                 // per pixel: the nearest sample; none off the band around the ink
 
   // The chain that owns the pixel at p, or -1.
   int chain_at(Vec2 p) const;

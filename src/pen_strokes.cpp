@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/at.h"
+#include "base/index_raster.h"
 #include "ink.h"
 
 namespace inkgrid {
@@ -37,8 +38,8 @@ bool is_centre(const Raster<float>& depth, int x, int y) {
 // Finds the runs of centre pixels whose depths belong together.
 class RunFinder {
  public:
-  RunFinder(PenStrokes& strokes) : centres_(strokes.centres), index_(strokes.depth.width, strokes.depth.height, -1) {
-    for (std::size_t i = 0; i < centres_.size(); ++i) index_(centres_[i].x, centres_[i].y) = static_cast<int>(i);
+  RunFinder(PenStrokes& strokes) : centres_(strokes.centres), index_(strokes.depth.width, strokes.depth.height) {
+    for (std::size_t i = 0; i < centres_.size(); ++i) index_.set(centres_[i].x, centres_[i].y, static_cast<int>(i));
     seen_.assign(centres_.size(), -1);
   }
 
@@ -90,7 +91,7 @@ class RunFinder {
 
   // The middle of a stroke is one or two pixels wide.
   float length_of(const std::vector<int>& run) const {
-    int x0 = index_.width, y0 = index_.height, x1 = 0, y1 = 0;
+    int x0 = index_.width(), y0 = index_.height(), x1 = 0, y1 = 0;
     for (const int i : run) {
       const CentrePixel& c = at(centres_, i);
       x0 = std::min(x0, c.x);
@@ -102,7 +103,7 @@ class RunFinder {
   }
 
   std::vector<CentrePixel>& centres_;
-  Raster<int> index_;      // per pixel: its centre, or -1
+  IndexRaster index_;      // per pixel: its centre
   std::vector<int> seen_;  // per centre: the last round that saw it
   int round_ = -1;
 };

@@ -50,8 +50,10 @@ bool same_mask(const std::optional<ScaleMask>& a, const std::optional<ScaleMask>
   return a->width == b->width && a->height == b->height && a->factor == b->factor;
 }
 
+// An image that was released is that of no other run.
 bool same_ink(const Inputs& a, const Inputs& b) {
-  return same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold && a.options.fills == b.options.fills;
+  return !a.image.grey.empty() && same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold &&
+         a.options.fills == b.options.fills;
 }
 
 // What the drawing decides is decided.
@@ -97,12 +99,12 @@ void move_kept(Stage first, Stages& from, Stages& to) {
 
 // From the band to the chains, strokes are the slimmed ones: lengths in strokes in their widths.
 double slimness(const Stages& stages) {
-  return stages.slim.stroke_width / stages.ink.stroke_width;
+  return grid_ink(stages).stroke_width / stages.ink.stroke_width;
 }
 
 BandMesh band_of(const Stages& stages, const ScaleMask* mask) {
   const Options& options = stages.inputs.settled;
-  return build_band(stages.slim, mask, {*options.reach / slimness(stages), options.mesh_size});
+  return build_band(grid_ink(stages), mask, {*options.reach / slimness(stages), options.mesh_size});
 }
 
 // `known`: what is kept of the band's solution, if anything.
@@ -111,7 +113,7 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
                                    options.field_rounds};
   if (first <= Stage::field)
-    stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, stages.slim, field_options, control); });
+    stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, grid_ink(stages), field_options, control); });
   if (first <= Stage::charts) stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known); });
   report_mesh(stages.mesh, stages.report);
   report_field(stages.field, stages.charts, stages.report);
@@ -119,7 +121,7 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   const LabelOptions label_options{options.label_length, options.label_ratio, options.threads};
   if (first <= Stage::labels)
     stages.labels =
-        run("labels", 0.58, [&] { return label_strokes(stages.mesh, stages.charts, stages.slim, label_options, known); });
+        run("labels", 0.58, [&] { return label_strokes(stages.mesh, stages.charts, grid_ink(stages), label_options, known); });
   const GridMapOptions map_options{*options.spacing / slimness(stages),
                                    options.snap,
                                    options.snap_sigma,
@@ -128,14 +130,15 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
                                    options.threads};
   if (first <= Stage::map)
     stages.map = run("grid map", 0.62, [&] {
-      return solve_grid_map(stages.mesh, stages.charts, stages.labels, stages.slim, map_options, part_of(control, 0.62, 0.9),
+      return solve_grid_map(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, part_of(control, 0.62, 0.9),
                             known);
     });
 }
 
-void run_ink(Stages& stages, Stopwatch& run) {
+void run_ink(Stages& stages, Stopwatch& run, Keep keep) {
   const Options& options = stages.inputs.options;
   Binarisation binarisation = run("threshold", 0.0, [&] { return binarise(stages.inputs.image, options.threshold); });
+  release(keep, stages.inputs.image);
   if (options.fills != FillMode::trace) {
     stages.fills = run("fills", 0.03, [&] { return find_fills(binarisation); });
     binarisation = without_fills(std::move(binarisation), stages.fills);
@@ -147,13 +150,13 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   const Options& options = stages.inputs.settled;
   Chains chains = run("chains", 0.94, [&] {
     const auto labels = spread_labels(stages.mesh, stages.charts, stages.labels);
-    return chain_strokes(stages.graph, stages.mesh, labels, stages.slim);
+    return chain_strokes(stages.graph, stages.mesh, labels, grid_ink(stages));
   });
   release(keep, stages.mesh, stages.charts, stages.labels, stages.graph);
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
     return refine_on_ink(
-        chains, stages.slim,
+        chains, grid_ink(stages),
         {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap, options.coverage_bins});
   });
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing);
@@ -174,17 +177,31 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
   if (first <= Stage::chains) stages.plain = chain_on_ink(stages, run, keep);
 }
 
-// Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed.
+// Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed; empty where neither changes the
+// ink.
 JoinedInk ground_of(const Stages& stages, const ScaleMask* mask) {
   const double share = slim_share(*stages.inputs.settled.spacing);
-  if (stages.bundles.count == 0) return {slim_ink(stages.ink, share), {}};
+  if (stages.bundles.count == 0) return {is_slimmed(stages.ink, share) ? slim_ink(stages.ink, share) : Ink{}, {}};
   JoinedInk joined = join_bundles(stages.ink, stages.bundles, mask);
   return {slim_ink(joined.ink, share), std::move(joined.scale)};
 }
 
+// Takes what another owns, and gives it back at the end of its life.
+class Borrowed {
+ public:
+  Borrowed(Ink& from, Ink& to) : from_(from), to_(to) { to_ = std::move(from_); }
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+  ~Borrowed() { from_ = std::move(to_); }
+
+ private:
+  Ink& from_;
+  Ink& to_;
+};
+
 // A first pass with the usual options, whatever those of this run are: what was drawn for one line is a property of the drawing.
 // Its mesh is coarse, as its chains are only looked at from stroke to stroke.
-Bundles scout_bundles(const Stages& stages, const Control& control) {
+Bundles scout_bundles(Stages& stages, const Control& control) {
   Stages scout;
   const PresetValues values = preset_values(Preset::rough, stages.ink.stroke_width);
   Options& options = scout.inputs.settled;
@@ -193,8 +210,7 @@ Bundles scout_bundles(const Stages& stages, const Control& control) {
   options.gap = values.gap;
   options.mesh_size = kScoutMesh;
   options.threads = stages.inputs.options.threads;
-  scout.ink = stages.ink;
-  scout.slim = ground_of(scout, nullptr).ink;
+  const Borrowed ink(stages.ink, scout.ink);
   scout.mesh = band_of(scout, nullptr);
   Control within;
   within.stop = control.stop;
@@ -202,7 +218,7 @@ Bundles scout_bundles(const Stages& stages, const Control& control) {
   Stopwatch run(within, scout.report);
   run_to_map(Stage::field, scout, run, within, nullptr, Keep::result);
   run_to_chains(Stage::isolines, scout, run, Keep::result);
-  return find_bundles(scout.plain.chains, stages.ink);
+  return find_bundles(scout.plain.chains, scout.ink);
 }
 
 void move_by(Vec2 shift, Stages& stages) {
@@ -227,7 +243,7 @@ Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMa
   Window window;
   Stages& stages = window.stages;
   stages.ink = window_of(around.ink, part);
-  stages.slim = window_of(ground ? ground->ink : around.slim, part);
+  if (const Ink& grid = ground ? ground->ink : grid_ink(around); &grid != &around.ink) stages.slim = window_of(grid, part);
   stages.bundles.count = around.bundles.count;
   stages.inputs.settled = around.inputs.settled;
   stages.inputs.settled.field_rounds = around.field.rounds;
@@ -269,7 +285,7 @@ std::vector<Fill> fitted_fills(const Stages& stages) {
 FitOptions fit_options_of(const Stages& stages) {
   const Options& options = stages.inputs.settled;
   const double width = stages.ink.stroke_width;
-  return {options.tolerance * width, std::min(width, kCornerSpan * stages.slim.stroke_width), options.threads};
+  return {options.tolerance * width, std::min(width, kCornerSpan * grid_ink(stages).stroke_width), options.threads};
 }
 
 // Curves of an earlier run, and what they were fitted with.
@@ -282,7 +298,7 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
   if (first <= Stage::bundles && stages.inputs.settled.bundles == BundleMode::join)
     stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
   const bool measured_anew = stages.bundles.count > 0 || is_slimmed(stages.ink, slim_share(*stages.inputs.settled.spacing));
-  if (measured_anew) release(keep, stages.ink.depth, stages.ink.centre_distance);
+  if (measured_anew) release(keep, stages.ink.depth, stages.ink.rise);
   if (first <= Stage::band) {
     JoinedInk ground = run("slim ink", 0.28, [&] { return ground_of(stages, nullptr); });
     stages.slim = std::move(ground.ink);
@@ -290,7 +306,7 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
     const ScaleMask* scale = stages.bundle_scale.factor.empty() ? nullptr : &stages.bundle_scale;
     stages.mesh = run("band", 0.3, [&] { return band_of(stages, scale); });
   }
-  release(keep, stages.ink.depth, stages.ink.centre_distance, stages.slim.depth, stages.bundle_scale);
+  release(keep, stages.ink.depth, stages.slim.depth, stages.bundle_scale);
   run_to_map(first, stages, run, control, nullptr, keep);
   run_to_chains(first, stages, run, keep);
   if (first <= Stage::scribbles)
@@ -328,14 +344,12 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
   made.inputs = {image, control.mask ? std::optional(*control.mask) : std::nullopt, options, options};
   Stopwatch run(control, made.report);
   const bool known = same_ink(stages.inputs, made.inputs);
-  if (!known) run_ink(made, run);
+  if (!known) run_ink(made, run, keep);
   const Ink& ink = known ? stages.ink : made.ink;
   const bool blank = ink.pixels == 0;
   if (!blank) settle(made.inputs, stages.inputs, ink);
   const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
   const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
-  release(keep, made.inputs.image);
-  if (made.fills.count == 0) release(keep, made.fills.region);
   move_kept(first, stages, made);
   if (Stage::chains < first) made.parts = stages.parts;  // of use as long as what they are parts of is the same
   report_ink(made.ink, made.fills, made.report);
@@ -355,6 +369,10 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
 }
 
 }  // namespace
+
+const Ink& grid_ink(const Stages& stages) {
+  return stages.slim.mask.data.empty() ? stages.ink : stages.slim;
+}
 
 const Ink& covered_ink(const Stages& stages) {
   return stages.bundles.count > 0 ? stages.slim : stages.ink;

@@ -32,7 +32,7 @@ struct Stages {
   Fills fills;
   Ink ink;
   Bundles bundles;
-  Ink slim;                // what the grid works on: the ink with bundles joined, and strokes as slim as the spacing asks for
+  Ink slim;  // the ink with bundles joined, and strokes as slim as the spacing asks for; empty where that is the ink
   ScaleMask bundle_scale;  // how much coarser bundles are; empty where there are none
   // Without the mask:
   BandMesh mesh;
@@ -50,6 +50,9 @@ struct Stages {
   Report report;
   Inputs inputs;
 };
+
+// What the grid works on.
+const Ink& grid_ink(const Stages& stages);
 
 // What the curves are to cover: the middle of a bundle may be paper.
 const Ink& covered_ink(const Stages& stages);

@@ -62,7 +62,7 @@ class SectionReader {
     for (double t = 0.5 * kWalkStep; t < farthest_; t += kWalkStep) {
       const Vec2 q = p + t * direction;
       if (!ink_.mask.contains(static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y)))) return side;
-      const int owner = nearest(ownership_.owner, q, -1);
+      const int owner = ownership_.owner.at(q);
       if (owner >= 0 && !belongs(owner, sample)) return side;
       if (nearest(ink_.mask, q, std::uint8_t{0})) {
         last = t + 0.5 * kWalkStep;

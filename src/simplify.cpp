@@ -115,8 +115,8 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
   std::vector<int> histogram(chains.chains.size() * static_cast<std::size_t>(bins), 0);
   std::vector<std::vector<double>> lengths;
   for (const auto& c : chains.chains) lengths.push_back(lengths_along(c.points));
-  for (std::size_t i = 0; i < ownership.owner.data.size(); ++i) {
-    const int owner = ownership.owner.data[i];
+  for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
+    const int owner = ownership.owner[i];
     if (owner < 0 || !ink.mask.data[i]) continue;
     const auto s = ownership.samples[static_cast<std::size_t>(owner)];
     const auto& l = lengths[static_cast<std::size_t>(s.chain)];

@@ -18,17 +18,19 @@ Raster<float> depth_of(const Raster<std::uint8_t>& mask) {
   Raster<std::uint8_t> paper(mask.width, mask.height);
   std::transform(mask.data.begin(), mask.data.end(), paper.data.begin(), [](std::uint8_t m) -> std::uint8_t { return !m; });
   Raster<float> depth = distance_to(paper);
-  for (float& d : depth.data) d = std::max(0.0F, d - 0.5F);
+  for (float& d : depth.data)
+    if (d > 0) d = std::max(0.0F, d - 0.5F);
   return depth;
 }
 
 // Whether the depth stops rising here as it does from a rim: the middle of a disc that no neighbour's holds, but for pixels.
 bool is_middle(const Raster<float>& depth, int x, int y) {
+  if (depth(x, y) <= 0) return false;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
       if (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > depth(x, y) + (dx && dy ? kDiagonalRise : kSideRise))
         return false;
-  return depth(x, y) > 0;
+  return true;
 }
 
 // A pixel wider than the disc, so that the pixels of the rim are in it too.
@@ -116,13 +118,14 @@ void peel(Raster<std::uint8_t>& mask, const Raster<float>& level, const Raster<f
   }
 }
 
-// Slims the strokes; what is left above the new rim, px, and below it less than 0.
+// Slims the strokes; what is left of the ink above the new rim, px, and below it less than 0.
 Raster<float> peeled(Raster<std::uint8_t>& mask, double share) {
   const Raster<float> depth = depth_of(mask);
   Raster<float> level = thickness_of(depth);
   const double usual = usual_radius(depth, level);
   for (std::size_t i = 0; i < level.data.size(); ++i)
-    level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(level.data[i]), usual, share));
+    if (mask.data[i])
+      level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(level.data[i]), usual, share));
   peel(mask, level, depth);
   return level;
 }
@@ -144,8 +147,10 @@ Ink slim_ink(const Ink& ink, double share) {
   slim.darkness = peeled(slim.ink, share);
   for (std::size_t i = 0; i < slim.darkness.data.size(); ++i) {
     float& dark = slim.darkness.data[i];
-    dark = slim.ink.data[i] ? std::max(0.5F, std::min(1.0F, dark + 0.5F))
-                            : (ink.mask.data[i] ? std::clamp(dark + 0.5F, 0.0F, 0.5F) : 0.0F);
+    if (ink.mask.data[i])
+      dark = slim.ink.data[i] ? std::clamp(dark + 0.5F, 0.5F, 1.0F) : std::clamp(dark + 0.5F, 0.0F, 0.5F);
+    else if (dark != 0)
+      dark = 0;
   }
   return measure_ink(std::move(slim));
 }

@@ -59,7 +59,8 @@ SnapRegions merge_snapping(const BandMesh& mesh, const Charts& charts, const std
     merge_within_face(mesh, charts, f, snapping_coordinate(labels[at(f)]), grid_unit(mesh, ink, options, f),
                       options.merge_difference, merged);
     for (int k = 0; k < 3; ++k) {
-      const double d = bilinear(ink.centre_distance, mesh.points[at(mesh.faces[at(f)][at(k)])]);
+      const double d = bilinear(ink.rise.width, ink.rise.height, mesh.points[at(mesh.faces[at(f)][at(k)])],
+                                [&](int x, int y) { return ink.centre_distance(x, y); });
       snap.weight[at(3 * f + k)] = std::exp(-d * d / (2 * options.snap_sigma * options.snap_sigma));
     }
   }

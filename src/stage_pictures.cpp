@@ -67,15 +67,14 @@ void draw_ink(Painter& painter, const Stages& stages) {
   draw_fills(painter, stages.fills);
   painter.pixels(ink.mask, kInk);
   Raster<std::uint8_t> centre(ink.mask.width, ink.mask.height);
-  for (std::size_t i = 0; i < centre.data.size(); ++i)
-    centre.data[i] = ink.mask.data[i] && ink.centre_distance.data[i] < kNearCentre;
+  for (std::size_t i = 0; i < centre.data.size(); ++i) centre.data[i] = ink.mask.data[i] && 1 - ink.rise.data[i] < kNearCentre;
   painter.pixels(centre, kCentre);
   if (ink.stroke_width > 0) painter.dot({ink.stroke_width, ink.stroke_width}, ink.stroke_width / 2, kJunction);
 }
 
 // What the grid works on: the slimmed ink over that which was drawn, and the slits of bundles.
 void draw_strokes(Painter& painter, const Stages& stages) {
-  const Raster<std::uint8_t>&slim = stages.slim.mask, &slits = stages.bundles.slits;
+  const Raster<std::uint8_t>&slim = grid_ink(stages).mask, &slits = stages.bundles.slits;
   painter.pixels(stages.ink.mask, kPaleInk);
   painter.pixels(slim, kInk);
   if (stages.bundles.count == 0) return;

@@ -29,7 +29,7 @@ Ink window_of(const Ink& ink, const TouchedPart& part) {
   window.darkness = cropped(ink.darkness, box);
   window.depth = cropped(ink.depth, box);
   window.gap = cropped(ink.gap, box);
-  window.centre_distance = cropped(ink.centre_distance, box);
+  window.rise = cropped(ink.rise, box);
   const auto is_reached = [&](int x, int y) { return distance_at(part, {box.x0 + x + 0.5, box.y0 + y + 0.5}) < kUnreached; };
   for (int y = 0; y < window.height(); ++y)
     for (int x = 0; x < window.width(); ++x)

@@ -151,10 +151,10 @@ inline Ink ink_of(
     double stroke_width, const std::function<double(Vec2)>& distance = [](Vec2) { return 1e9; }) {
   Ink ink;
   ink.stroke_width = stroke_width;
-  ink.centre_distance = Raster<float>(60, 60);
+  ink.rise = Raster<float>(60, 60);
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 60; ++x)
-      ink.centre_distance(x, y) = static_cast<float>(std::min(1.0, std::abs(distance({x + 0.5, y + 0.5})) / (stroke_width / 2)));
+      ink.rise(x, y) = 1 - static_cast<float>(std::min(1.0, std::abs(distance({x + 0.5, y + 0.5})) / (stroke_width / 2)));
   return ink;
 }
 

@@ -115,6 +115,21 @@ TEST_P(RandomMasks, CentreDistanceIsNoughtWhereNothingNearIsDeeperAndOneOnPaper)
   }
 }
 
+// More rows than are looked at together.
+TEST(Ink, ClosingATallDrawingIsThatOfItsParts) {
+  constexpr int kWidth = 6, kHeight = 700;
+  constexpr double kRadius = 3;
+  const Ink ink = measured(random_mask(kWidth, kHeight, 0.02, 4));
+  const Mask closed = closed_ink(ink, kRadius);
+  for (int y = 50; y + 50 < kHeight; ++y) {
+    Mask part(kWidth, 81);
+    for (int j = 0; j < part.height; ++j)
+      for (int x = 0; x < kWidth; ++x) part(x, j) = ink.mask(x, std::clamp(y + j - 40, 0, kHeight - 1));
+    const Mask closed_part = closed_ink(measured(part), kRadius);
+    for (int x = 0; x < kWidth; ++x) ASSERT_EQ(closed(x, y), closed_part(x, 40)) << x << ' ' << y;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ink, RandomMasks,
                          ::testing::Values(RandomMask{31, 23, 0.5}, RandomMask{31, 23, 0.97}, RandomMask{31, 23, 0.02},
                                            RandomMask{1, 40, 0.8}, RandomMask{40, 1, 0.2}, RandomMask{24, 24, 0}));
@@ -195,7 +210,7 @@ TEST(Ink, InkAloneIsFinite) {
   EXPECT_LE(ink.stroke_width, 30);
   for (std::size_t i = 0; i < 600; ++i) {
     EXPECT_EQ(ink.gap.data[i], 0.0f);
-    EXPECT_EQ(ink.centre_distance.data[i], 0.0f);
+    EXPECT_EQ(ink.rise.data[i], 1.0f);
   }
 }
 

@@ -99,7 +99,7 @@ Stages with_mask(const ScaleMask& mask, const Options& options = {}) {
 
 // The width of the strokes that the grid sees, over that of the pen.
 double slimness(const Stages& stages) {
-  return stages.slim.stroke_width / stages.ink.stroke_width;
+  return grid_ink(stages).stroke_width / stages.ink.stroke_width;
 }
 
 class EachFactor : public ::testing::TestWithParam<float> {};

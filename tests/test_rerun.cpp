@@ -110,13 +110,22 @@ class Numbers {
   }
   template <class Value>
   void add(const std::vector<Value>& values) {
-    add(static_cast<double>(values.size()));
-    for (const Value& value : values) add(value);
+    add_all(values);
+  }
+  template <class Value>
+  void add(const Pixels<Value>& values) {
+    add_all(values);
   }
 
   const std::vector<double>& values() const { return values_; }
 
  private:
+  template <class Values>
+  void add_all(const Values& values) {
+    add(static_cast<double>(values.size()));
+    for (const auto& value : values) add(value);
+  }
+
   std::vector<double> values_;
 };
 

@@ -51,11 +51,11 @@ long count_colour(const Picture& picture, std::uint32_t rgb) {
 Stages square_stages(const Image& image) {
   Stages stages;
   stages.ink.mask = Raster<std::uint8_t>(image.width, image.height);
-  stages.ink.centre_distance = Raster<float>(image.width, image.height, 1.0F);
+  stages.ink.rise = Raster<float>(image.width, image.height);
   for (int x = 8; x < 32; ++x)
     for (int y = 18; y < 22; ++y) {
       stages.ink.mask(x, y) = 1;
-      stages.ink.centre_distance(x, y) = static_cast<float>(std::abs(y + 0.5 - 20) / 4);
+      stages.ink.rise(x, y) = 1 - static_cast<float>(std::abs(y + 0.5 - 20) / 4);
     }
   stages.ink.stroke_width = 4;
   stages.slim.mask = stages.ink.mask;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+
+#include "base/pixels.h"
 
 namespace inkgrid {
 
@@ -10,7 +11,7 @@ template <class T>
 struct Raster {
   int width = 0;
   int height = 0;
-  std::vector<T> data;
+  Pixels<T> data;
 
   Raster() = default;
   Raster(int w, int h, T value = T())
