@@ -17,7 +17,7 @@ constexpr double kMiss = 0.25;      // strokes by which a line may miss the poin
 constexpr double kSlant = 0.08;     // the same for each px of the way there
 constexpr double kPassed = 0.5;     // strokes by which an arm may have passed it
 constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
-constexpr double kPaper = 0.25;     // pens of paper on the way: slimmed strokes part where they meet
+constexpr double kPaper = 1;        // px of paper that rough rims may leave on the way
 constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
 
 // Points [from, to) of a chain that the ink does not confirm.
@@ -59,12 +59,14 @@ std::vector<std::uint8_t> confirmed_points(const RidgeChain& ridge, double isola
 class Blotter {
  public:
   // Blots of the junctions from number `settled` on stay.
-  Blotter(Blots blots, std::size_t settled, double isolated, const Ink& ink, const BlotOptions& options)
+  Blotter(Blots blots, std::size_t settled, double isolated, const Ink& ink, const Raster<std::uint8_t>& drawn,
+          const BlotOptions& options)
       : ridges_(std::move(blots.ridges)),
         junctions_(std::move(blots.junctions)),
         settled_(settled),
         isolated_(isolated),
         ink_(ink),
+        drawn_(drawn),
         options_(options) {
     find_runs();
     unite_runs();
@@ -220,7 +222,7 @@ class Blotter {
     const double ahead = dot(arm.arrival.direction, way), width = width_of(arm);
     return ahead > -kPassed * width && ahead < options_.longest &&
            std::abs(cross(arm.arrival.direction, way)) < kMiss * width + kSlant * std::max(0.0, ahead) &&
-           over_ink(ink_.mask, arm.arrival.point, point, std::max(1.0, kPaper * options_.pen));
+           over_ink(drawn_, arm.arrival.point, point, kPaper);
   }
 
   // The parts of a chain between the blots where strokes meet.
@@ -290,6 +292,7 @@ class Blotter {
   std::size_t settled_;
   double isolated_;
   const Ink& ink_;
+  const Raster<std::uint8_t>& drawn_;
   BlotOptions options_;
   std::vector<std::vector<int>> run_of_;  // per chain and point: its run, or -1
   std::vector<Run> runs_;
@@ -299,12 +302,13 @@ class Blotter {
 
 }  // namespace
 
-Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Ink& ink, const BlotOptions& options) {
+Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Ink& ink,
+                    const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
   const std::size_t old = junctions.size();
   Blots blots{std::move(ridges), std::move(junctions)};
   // Short parts that seem confirmed may be strokes, or lie inside a blot: the first is tried first.
   for (const double isolated : {kIsolated * ink.stroke_width, std::max(kIsolated * ink.stroke_width, options.pen)})
-    blots = Blotter(std::move(blots), old, isolated, ink, options).meet();
+    blots = Blotter(std::move(blots), old, isolated, ink, drawn, options).meet();
   return blots;
 }
 

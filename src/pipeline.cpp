@@ -156,7 +156,7 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
     return refine_on_ink(
-        chains, grid_ink(stages),
+        chains, grid_ink(stages), covered_ink(stages).mask,
         {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap, options.coverage_bins});
   });
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing);

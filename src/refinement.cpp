@@ -67,8 +67,9 @@ RidgeOptions ridge_options(double width, double reach, double spacing) {
 
 class Refinement {
  public:
-  Refinement(const Ink& ink, const RefinementOptions& options)
+  Refinement(const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options)
       : ink_(ink),
+        drawn_(drawn),
         options_(options),
         width_(ink.stroke_width),
         bridge_(std::max(1.0, options.reach * width_)),
@@ -87,7 +88,7 @@ class Refinement {
 
   // Arms go to where they meet, and free ends to what they lead to.
   Chains joined(Chains chains) const {
-    Blots blots = meet_in_blots(follow_ridges(chains.chains, ink_, ridge_), chains.junctions, ink_,
+    Blots blots = meet_in_blots(follow_ridges(chains.chains, ink_, ridge_), chains.junctions, ink_, drawn_,
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
     chains = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), blot_.trimmed);
@@ -113,6 +114,7 @@ class Refinement {
   CornerOptions corners(double longest) const { return {longest, kTipMiss * options_.pen}; }
 
   const Ink& ink_;
+  const Raster<std::uint8_t>& drawn_;
   const RefinementOptions& options_;
   double width_;   // of the strokes of the ink, px
   double bridge_;  // paper narrower than this is part of a stroke, px
@@ -124,8 +126,8 @@ class Refinement {
 
 }  // namespace
 
-Chains refine_on_ink(const Chains& chains, const Ink& ink, const RefinementOptions& options) {
-  const Refinement refinement(ink, options);
+Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options) {
+  const Refinement refinement(ink, drawn, options);
   return refinement.located(refinement.joined(refinement.supported(chains)));
 }
 

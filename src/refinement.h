@@ -17,7 +17,8 @@ struct RefinementOptions {
 };
 
 // The grid has decided which strokes are one and how they meet; the ink, which may be slimmed, says where they run, bend and end.
-Chains refine_on_ink(const Chains& chains, const Ink& ink, const RefinementOptions& options);
+// `drawn` is the ink before it was slimmed.
+Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options);
 
 // The same chains with the widths that they have on other ink, as that which was drawn; reach and spacing in its strokes.
 Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing);

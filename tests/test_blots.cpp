@@ -49,7 +49,7 @@ Star star(const std::vector<double>& angles, double blot) {
 }
 
 Blots met(const Star& star) {
-  return meet_in_blots(star.chains.ridges, star.chains.junctions, star.ink, kOptions);
+  return meet_in_blots(star.chains.ridges, star.chains.junctions, star.ink, star.ink.mask, kOptions);
 }
 
 bool same(const Blots& a, const Blots& b) {
@@ -118,7 +118,7 @@ TEST(Blots, AClosedChainThatIsCutKeepsAllButItsBlot) {
   round.chain.closed = true;
   RidgeChain stem = ridge_along({kCentre - Vec2{0, 80}, kCentre - Vec2{0, 4}}, 9);
   const Ink ink = testing::drawn_ink(image);
-  const Blots blots = meet_in_blots({round, stem}, {}, ink, kOptions);
+  const Blots blots = meet_in_blots({round, stem}, {}, ink, ink.mask, kOptions);
   ASSERT_EQ(blots.junctions.size(), 1u);
   EXPECT_LT(norm(blots.junctions[0] - kCentre), 1);
   double length = 0;
