@@ -16,6 +16,7 @@ constexpr double kTip = 0.25;       // widths at a free end that are not believe
 constexpr double kMiss = 0.25;      // strokes by which a line may miss the point where the others meet
 constexpr double kSlant = 0.08;     // the same for each px of the way there
 constexpr double kPassed = 0.5;     // strokes by which an arm may have passed it
+constexpr double kWider = 0.15;     // half of what ink may be wider than a pen without a doubt, pens
 constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
 constexpr double kPaper = 1;        // px of paper that rough rims may leave on the way
 constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
@@ -121,9 +122,10 @@ class Blotter {
       }
     std::vector<Chain> chains;
     for (const auto& ridge : ridges_) chains.push_back(ridge.chain);
-    const Ownership ownership = assign_ink(chains, ink_, options_.bridge);
+    const double rim = std::max(0.0, 0.5 * (options_.pen - ink_.stroke_width));
+    const Ownership ownership = assign_ink(chains, ink_, options_.bridge + rim);
     const auto run_at = [&](int x, int y) {
-      if (!ink_.mask.contains(x, y) || !ink_.mask(x, y)) return -1;
+      if (!drawn_.contains(x, y) || !drawn_(x, y)) return -1;
       const int owner = ownership.owner(x, y);
       if (owner < 0) return -1;
       const auto s = ownership.samples[static_cast<std::size_t>(owner)];
@@ -182,7 +184,8 @@ class Blotter {
     const double determinant = a * c - b * b;
     if (determinant < kParallel * static_cast<double>(arms.size())) return std::nullopt;
     const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
-    const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) { return leads_to(arm, found); });
+    const bool all =
+        std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) { return leads_to(arm, found, passing(arms, arm)); });
     return all && stands_for_blot(arms, found) ? std::optional(found) : std::nullopt;
   }
 
@@ -210,17 +213,28 @@ class Blotter {
       const Vec2 place = junctions_[j];
       const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
         return arm.arrival.known && norm(arm.arrival.point - place) < kBeside * options_.pen + width_of(arm) &&
-               leads_to(arm, place);
+               leads_to(arm, place, 0);
       });
       if (all && stands_for_blot(arms, place)) return static_cast<int>(j);
     }
     return -1;
   }
 
-  bool leads_to(const Arm& arm, Vec2 point) const {
+  // How far an arm may seem to go on past the others, px: the sharper two of them meet, the later their ink is wider than a
+  // stroke.
+  double passing(const std::vector<Arm>& arms, const Arm& arm) const {
+    double sharpest = 0;  // cosine of half the angle between two others
+    for (const Arm& a : arms)
+      for (const Arm& b : arms)
+        if (&a != &b && &a != &arm && &b != &arm)
+          sharpest = std::max(sharpest, std::sqrt(std::max(0.0, 0.5 + 0.5 * dot(a.arrival.direction, b.arrival.direction))));
+    return kWider * options_.pen * sharpest / std::sqrt(std::max(1e-3, 1 - sharpest * sharpest));
+  }
+
+  bool leads_to(const Arm& arm, Vec2 point, double passing) const {
     const Vec2 way = point - arm.arrival.point;
     const double ahead = dot(arm.arrival.direction, way), width = width_of(arm);
-    return ahead > -kPassed * width && ahead < options_.longest &&
+    return ahead > -kPassed * width - passing && ahead < options_.longest &&
            std::abs(cross(arm.arrival.direction, way)) < kMiss * width + kSlant * std::max(0.0, ahead) &&
            over_ink(drawn_, arm.arrival.point, point, kPaper);
   }
@@ -237,8 +251,8 @@ class Blotter {
       result.back().chain.start_junction = start;
       result.back().chain.end_junction = end;
       result.back().chain.closed = whole.chain.closed && !cut;
-      for (const bool at_start : {true, false})
-        lead_to_junction(result.back(), at_start, at_start ? after != nullptr : before != nullptr);
+      if (after) lead_to_junction(result.back(), true, after->arrival.direction);
+      if (before) lead_to_junction(result.back(), false, before->arrival.direction);
     };
     for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
       const Run& here = run(r);
@@ -276,12 +290,15 @@ class Blotter {
     return piece;
   }
 
-  void lead_to_junction(RidgeChain& piece, bool at_start, bool leads) const {
-    if (!leads) return;
+  // From where it has not passed it.
+  void lead_to_junction(RidgeChain& piece, bool at_start, Vec2 direction) const {
     const int junction = at_start ? piece.chain.start_junction : piece.chain.end_junction;
     auto& points = piece.chain.points;
     if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());
-    const auto way = resampled({points.back(), junctions_[static_cast<std::size_t>(junction)]}, 1);
+    const Vec2 target = junctions_[static_cast<std::size_t>(junction)];
+    while (points.size() > 2 && dot(direction, target - points.back()) < 0) points.pop_back();
+    piece.sections.resize(points.size());
+    const auto way = resampled({points.back(), target}, 1);
     points.insert(points.end(), way.begin() + 1, way.end());
     piece.sections.resize(points.size());
     if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());

@@ -17,6 +17,8 @@ constexpr double kWidest = 1.3;          // times the usual width: more is a jun
 constexpr double kStiffest = 4;          // times the usual stroke
 constexpr double kFade = 1.5;
 constexpr double kOfLoop = 0.4;   // of its radius: bends longer than that keep a small loop from shrinking
+constexpr double kStubby = 1.2;   // widths of the drawn ink: shorter chains may be threads all along
+constexpr double kThread = 0.35;  // of what slimming leaves of a stroke
 constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
 
 double median(std::vector<double> values) {
@@ -127,6 +129,29 @@ void judge(std::vector<CrossSection>& sections, const std::vector<double>& usual
   }
 }
 
+double width_along(const Raster<std::uint8_t>& ink, Vec2 p, Vec2 normal) {
+  double width = 0;
+  for (const Vec2 direction : {normal, -normal}) {
+    double t = 0;
+    while (nearest(ink, p + t * direction, std::uint8_t{0})) t += kWalkStep;
+    width += t;
+  }
+  return width;
+}
+
+// Where slimming left but a thread of the ink that was drawn, cuts tell nothing: strokes share it.
+void doubt_threads(RidgeChain& ridge, const std::vector<Vec2>& normals, double usual, double share,
+                   const Raster<std::uint8_t>& drawn) {
+  const auto& points = ridge.chain.points;
+  std::vector<double> widths;
+  for (std::size_t k = 0; k < points.size(); ++k) widths.push_back(width_along(drawn, points[k], normals[k]));
+  const double usual_drawn = median(widths);
+  const bool stubby = !ridge.chain.closed && lengths_along(points).back() < kStubby * usual_drawn;
+  const double least = kThread * (stubby ? share : usual / usual_drawn);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (ridge.sections[k].weight == 1 && ridge.sections[k].width < least * widths[k]) ridge.sections[k] = {};
+}
+
 // Minimises  sum w (d - offset)^2 + bend |second difference of (p + d n)|^2  over the displacements d, with a stiffness `bend` a
 // point: a system of five diagonals.
 std::vector<double> smoothed_displacements(const std::vector<Vec2>& points, const std::vector<Vec2>& normals,
@@ -226,6 +251,7 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
     }
     const auto usual = usual_widths(ridge.sections, width_span, ink.stroke_width);
     judge(ridge.sections, usual);
+    if (options.drawn) doubt_threads(ridge, normals, median(usual), options.share, *options.drawn);
     ridge.chain.width = median(usual);
     ridge.chain.confirmed =
         options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),

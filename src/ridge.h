@@ -24,9 +24,11 @@ struct RidgeChain {
 };
 
 struct RidgeOptions {
-  double step = 1;    // distance of points, px
-  double bridge = 1;  // paper narrower than this inside a stroke is part of it, px
-  double smooth = 3;  // bends shorter than this are noise, px
+  double step = 1;                              // distance of points, px
+  double bridge = 1;                            // paper narrower than this inside a stroke is part of it, px
+  double smooth = 3;                            // bends shorter than this are noise, px
+  const Raster<std::uint8_t>* drawn = nullptr;  // the ink before it was slimmed, where it was
+  double share = 1;                             // of the width that was drawn, which slimming left of most strokes
 };
 
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,
