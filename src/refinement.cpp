@@ -62,7 +62,7 @@ BlotLengths blot_lengths(double spacing, double width, double pen) {
 }
 
 RidgeOptions ridge_options(double width, double reach, double spacing) {
-  return {std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width, nullptr, 1};
+  return {std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width, nullptr, 0};
 }
 
 class Refinement {
@@ -77,7 +77,7 @@ class Refinement {
         blot_(blot_lengths(options.spacing, width_, options.pen)),
         ridge_(ridge_options(width_, options.reach, options.spacing)),
         ends_{1.5 * width_, blot_.arms, std::max(1.0, 0.5 * options.reach * width_), options.gap * options.pen} {
-    if (width_ < options.pen) ridge_.drawn = &drawn, ridge_.share = width_ / options.pen;
+    if (width_ < options.pen) ridge_.drawn = &drawn, ridge_.taken = options.pen - width_;
   }
 
   // Chains that stand for ink of their own.

@@ -19,6 +19,8 @@ constexpr double kFade = 1.5;
 constexpr double kOfLoop = 0.4;   // of its radius: bends longer than that keep a small loop from shrinking
 constexpr double kStubby = 1.2;   // widths of the drawn ink: shorter chains may be threads all along
 constexpr double kThread = 0.35;  // of what slimming leaves of a stroke
+constexpr double kTaken = 1.5;    // times what slimming usually takes
+constexpr double kRimNoise = 1;   // px
 constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
 
 double median(std::vector<double> values) {
@@ -129,27 +131,35 @@ void judge(std::vector<CrossSection>& sections, const std::vector<double>& usual
   }
 }
 
-double width_along(const Raster<std::uint8_t>& ink, Vec2 p, Vec2 normal) {
-  double width = 0;
-  for (const Vec2 direction : {normal, -normal}) {
-    double t = 0;
-    while (nearest(ink, p + t * direction, std::uint8_t{0})) t += kWalkStep;
-    width += t;
-  }
-  return width;
+double extent_of(const Raster<std::uint8_t>& ink, Vec2 p, Vec2 direction) {
+  double t = 0;
+  while (nearest(ink, p + t * direction, std::uint8_t{0})) t += kWalkStep;
+  return t;
 }
 
-// Where slimming left but a thread of the ink that was drawn, cuts tell nothing: strokes share it.
-void doubt_threads(RidgeChain& ridge, const std::vector<Vec2>& normals, double usual, double share,
-                   const Raster<std::uint8_t>& drawn) {
+// Where slimming left but a thread between two rims, or moved the one rim by more than it usually does, the rims are none that
+// were drawn: strokes share their ink.  Sections as they were read; chains shorter than their ink is wide may be such all along.
+void doubt_rims(RidgeChain& ridge, const std::vector<Vec2>& normals, double stroke_width, const RidgeOptions& options) {
+  const Raster<std::uint8_t>& drawn = *options.drawn;
   const auto& points = ridge.chain.points;
-  std::vector<double> widths;
-  for (std::size_t k = 0; k < points.size(); ++k) widths.push_back(width_along(drawn, points[k], normals[k]));
-  const double usual_drawn = median(widths);
-  const bool stubby = !ridge.chain.closed && lengths_along(points).back() < kStubby * usual_drawn;
-  const double least = kThread * (stubby ? share : usual / usual_drawn);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (ridge.sections[k].weight == 1 && ridge.sections[k].width < least * widths[k]) ridge.sections[k] = {};
+  std::vector<double> across(points.size(), 0), taken{options.taken}, left{stroke_width};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (ridge.sections[k].weight != 1) continue;
+    across[k] = extent_of(drawn, points[k], normals[k]) + extent_of(drawn, points[k], -normals[k]);
+    taken.push_back(across[k] - ridge.sections[k].width);
+    left.push_back(ridge.sections[k].width);
+  }
+  const double length = lengths_along(points).back();
+  const bool stubby = !ridge.chain.closed && length < kStubby * (median(taken) + median(left));
+  const double usual = stubby ? options.taken : median(taken), usual_left = stubby ? stroke_width : median(left);
+  const double share = usual_left / (usual_left + usual);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    CrossSection& s = ridge.sections[k];
+    const bool thread = s.weight == 1 && s.width < kThread * share * across[k];
+    const bool lost = s.weight == kOneSidedWeight && extent_of(drawn, points[k], s.offset > 0 ? normals[k] : -normals[k]) >
+                                                         std::abs(s.offset) + kRimNoise + 0.5 * kTaken * usual;
+    if (thread || lost) s = {};
+  }
 }
 
 // Minimises  sum w (d - offset)^2 + bend |second difference of (p + d n)|^2  over the displacements d, with a stiffness `bend` a
@@ -249,9 +259,9 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
       ridge.sections.push_back(
           reader.read(ownership.first[c] + k, ridge.chain.points[static_cast<std::size_t>(k)], normals.back()));
     }
+    if (options.drawn) doubt_rims(ridge, normals, ink.stroke_width, options);
     const auto usual = usual_widths(ridge.sections, width_span, ink.stroke_width);
     judge(ridge.sections, usual);
-    if (options.drawn) doubt_threads(ridge, normals, median(usual), options.share, *options.drawn);
     ridge.chain.width = median(usual);
     ridge.chain.confirmed =
         options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),

