@@ -13,8 +13,9 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kAligned = 0.97;  // cosine of 14 degrees
-constexpr double kBeside = 0.5;    // strokes between ends that passed each other in one stroke
+constexpr double kAligned = 0.97;      // cosine of 14 degrees
+constexpr double kMuchNarrower = 0.5;  // of its chain: a stroke that is left of a bundle
+constexpr double kBeside = 0.5;        // strokes between ends that passed each other in one stroke
 
 // One end of a chain.
 struct End {
@@ -424,10 +425,11 @@ double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
 // How far inside the end of its ink a stroke ends: where it is as far from there as from its sides, as the middle of a round
 // cap is. Beside other ink, half the width of its chain.
 double cap_radius(const Ink& ink, Vec2 end, Vec2 outward, double half_width) {
-  double inside = 0.25;
-  while (inside < half_width && half_chord(ink, end - inside * outward, quarter_turn(outward), half_width) > inside)
-    inside += 0.25;
-  return std::min(inside, half_width);
+  const auto chord_at = [&](double inside) { return half_chord(ink, end - inside * outward, quarter_turn(outward), half_width); };
+  double inside = half_width;
+  if (chord_at(inside) > kMuchNarrower * half_width) return inside;
+  while (inside > 0.25 && chord_at(inside) < inside) inside -= 0.25;
+  return inside;
 }
 
 }  // namespace

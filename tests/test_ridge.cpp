@@ -164,15 +164,16 @@ TEST(Ridge, AThreadThatSlimmingLeftOfABlotTellsNothing) {
     const RidgeChain ridge = follow_ridges(chains, slim, options)[0];
     int count = 0;
     for (std::size_t k = 0; k < ridge.sections.size(); ++k)
-      count += ridge.chain.points[k].x > fork.x + 16 && ridge.sections[k].weight > 0;
+      count += ridge.chain.points[k].x > fork.x + 12 && ridge.sections[k].weight > 0;
     EXPECT_GT(ridge.chain.confirmed, 30) << "the stem";
     return count;
   };
   RidgeOptions options = kOptions;
-  EXPECT_GT(confirmed_in_blot(options), 4);
+  const int all = confirmed_in_blot(options);
+  EXPECT_GE(all, 6);
   options.drawn = &drawn.mask;
   options.taken = drawn.stroke_width - slim.stroke_width;
-  EXPECT_EQ(confirmed_in_blot(options), 0);
+  EXPECT_LT(confirmed_in_blot(options), all / 2);
 }
 
 }  // namespace
