@@ -13,9 +13,10 @@
 namespace inkgrid {
 namespace {
 
-// Section 6.1: the ink thickened by round(stroke width / 4) px.
+// Section 6.1: the ink thickened by round(stroke width / 4) px; less where that would close paper as wide as a stroke of few
+// pixels.
 Raster<std::uint8_t> dilated(const Ink& ink) {
-  const auto radius = static_cast<float>(std::lround(ink.stroke_width / 4));
+  const auto radius = static_cast<float>(std::min(std::round(ink.stroke_width / 4), 0.5 * (ink.stroke_width - 1)));
   Raster<std::uint8_t> thick(ink.width(), ink.height());
   for (std::size_t i = 0; i < thick.data.size(); ++i)
     if (ink.gap.data[i] <= radius) thick.data[i] = 1;

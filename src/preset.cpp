@@ -68,7 +68,7 @@ PresetValues preset_values(Preset preset, double stroke_width) {
   const double gap = std::min(1.0, kWidestGap / stroke_width);
   if (preset == Preset::rough) return {0.45, 1.5, gap};
   const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
-  return {0.3 * fineness, 0.7 * fineness, gap};
+  return {0.3 * std::min(fineness, std::max(kFinest, stroke_width / kFinePen)), 0.7 * fineness, gap};
 }
 
 }  // namespace inkgrid

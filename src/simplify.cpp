@@ -14,6 +14,7 @@ namespace inkgrid {
 namespace {
 
 constexpr double kLeastBin = 1.5;    // px, the diagonal of a pixel
+constexpr double kTiny = 2;          // px
 constexpr double kPaperStep = 0.25;  // px
 constexpr double kStraightOn = 0.8;  // cosine of the angle between a stroke and what goes on from it
 
@@ -128,7 +129,9 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
   for (std::size_t c = 0; c < chains.chains.size(); ++c) {
     const auto begin = histogram.begin() + static_cast<std::ptrdiff_t>(c) * bins;
     const auto end = begin + bins_of(lengths[c].back(), bins);
-    if (std::find(begin, end, 0) == end) kept.push_back(std::move(chains.chains[c]));
+    // Between junctions there may be no room for a pixel.
+    const bool tiny = lengths[c].back() < kTiny && std::min(chains.chains[c].start_junction, chains.chains[c].end_junction) >= 0;
+    if (tiny || std::find(begin, end, 0) == end) kept.push_back(std::move(chains.chains[c]));
   }
   chains.chains = std::move(kept);
   return dissolve_junctions(std::move(chains));

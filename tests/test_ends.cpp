@@ -169,6 +169,17 @@ TEST(Ends, AnEndWithPaperBeforeItStaysFree) {
   EXPECT_EQ(kept.chains.size(), 2u);
 }
 
+// The nearest chain to the ink ahead may lie beyond a slit that the reach of the ink closes.
+TEST(Ends, AnEndIsNotAttachedOverASlit) {
+  Image image = blank(100, 200);
+  paint(image, {{40, 20}, {40, 180}}, 2);
+  paint(image, {{44, 20}, {44, 180}}, 2);
+  const Chains traced{{}, {chain_along({{40, 28}, {40, 180}}, 2), chain_along({{44, 20}, {44, 180}}, 2)}};
+  const Chains kept = attach_ends(traced, ink_of(image), {3, 14, 1, 0});
+  EXPECT_TRUE(kept.junctions.empty());
+  EXPECT_EQ(kept.chains.size(), 2u);
+}
+
 TEST(Ends, TwoEndsInOneStrokeBecomeOneChain) {
   Image image = blank(200, 100);
   paint(image, {{20, 50}, {180, 50}}, kWidth);

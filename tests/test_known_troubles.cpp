@@ -14,6 +14,12 @@ using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
 
+double length_of(const Line& line) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += norm(line[i + 1] - line[i]);
+  return length;
+}
+
 Vec2 polar(double radius, double angle) {
   return radius * Vec2{std::cos(angle), std::sin(angle)};
 }
@@ -195,6 +201,19 @@ TEST_P(EachGap, CloseStrokesHaveNoRungs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gaps, EachGap, ::testing::Combine(::testing::Values(4.0, 7.0), ::testing::Values(0.7, 1.0)));
+INSTANTIATE_TEST_SUITE_P(ThinGaps, EachGap, ::testing::Combine(::testing::Values(2.0), ::testing::Values(0.7, 1.5)));
+
+TEST(Gaps, HairsSideBySideAreKept) {
+  std::vector<Line> truth;
+  for (int k = 0; k < 8; ++k) {
+    Line hair;
+    for (double t = 0; t <= 1; t += 0.02) hair.push_back({20 + 4.0 * k + 30 * t * t, 15 + 150 * t});
+    truth.push_back(hair);
+  }
+  const Drawing drawing = traced(painted(truth, 1.5, 100, 180));
+  EXPECT_EQ(drawing.curves.size(), 8u);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+}
 
 TEST(Hatching, CrossedHasItsCrossingsOnly) {
   const double pen = 3;
@@ -207,6 +226,25 @@ TEST(Hatching, CrossedHasItsCrossingsOnly) {
   EXPECT_EQ(drawing.junctions.size(), 25u);
   EXPECT_EQ(drawing.curves.size(), 60u);
   EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+}
+
+// ---------------------------------------------------------------- tiny details
+
+TEST(TinyDetails, DotsStayDotsBesideLines) {
+  for (const double pen : {2.0, 4.0, 7.0}) {
+    SCOPED_TRACE(pen);
+    std::vector<Line> lines{{{20, 20}, {20 + 60 * pen, 24}}, {{20, 20 + 12 * pen}, {20 + 60 * pen, 18 + 12 * pen}}};
+    Image image = painted(lines, pen, static_cast<int>(40 + 60 * pen), static_cast<int>(40 + 14 * pen));
+    std::vector<Vec2> dots;
+    for (int k = 0; k < 6; ++k) {
+      dots.push_back({20 + (5 + 9 * k) * pen, 20 + 6 * pen + k * 0.3});
+      paint(image, {dots.back(), dots.back()}, (1 + 0.15 * k) * pen);
+    }
+    const Drawing drawing = traced(image);
+    EXPECT_EQ(drawing.curves.size(), 8u);
+    for (const Vec2 dot : dots) EXPECT_LT(distance(dot, lines_of(drawing)), 0.5 * pen);
+    for (const Line& line : lines_of(drawing)) EXPECT_TRUE(length_of(line) < pen || length_of(line) > 40 * pen);
+  }
 }
 
 // ---------------------------------------------------------------- pens
@@ -232,6 +270,16 @@ TEST(Pens, ThickAndThinOnesComeOutRightTogether) {
       if (farthest({points_of(curve)}, {truth[k]}) < 6) width = curve.width;
     EXPECT_NEAR(width, pens[k], 0.15 * pens[k] + 0.3);
   }
+}
+
+TEST(Pens, AThinStrokeCrossesAThickOne) {
+  const std::vector<Line> thin{{{20, 100}, {300, 110}}}, thick{{{160, 20}, {150, 190}}};
+  Image image = painted(thin, 3, 320, 210);
+  paint(image, thick[0], 15);
+  const Drawing drawing = traced(image);
+  EXPECT_EQ(drawing.junctions.size(), 1u);
+  EXPECT_EQ(drawing.curves.size(), 4u);
+  EXPECT_LT(distance_between(lines_of(drawing), {thin[0], thick[0]}), 2);
 }
 
 TEST(Details, AnEyeInASketchIsALoop) {

@@ -69,6 +69,13 @@ TEST(Preset, AThickPenHasAFinerGridInItsOwnWidths) {
   EXPECT_EQ(preset_values(Preset::rough, 2).spacing, preset_values(Preset::rough, 60).spacing);
 }
 
+// Two pixels of paper between two of ink are no slit to be closed.
+TEST(Preset, APenOfFewPixelsReachesLess) {
+  EXPECT_LT(2 * preset_values(Preset::clean, 2).reach, 0.4);
+  EXPECT_GT(4 * preset_values(Preset::clean, 4).reach, 1);
+  EXPECT_EQ(preset_values(Preset::clean, 1.5).reach, preset_values(Preset::clean, 2).reach);
+}
+
 TEST(Preset, GapsAreAsWideAsAPenButNotWiderThanPicturesBreakStrokes) {
   for (const Preset preset : {Preset::clean, Preset::rough}) {
     EXPECT_EQ(preset_values(preset, 2).gap, 1);

@@ -167,6 +167,24 @@ TEST(Simplify, AChainWithAQuarterOffTheInkIsDropped) {
   EXPECT_EQ(kept.chains[0].points.front().y, 30);
 }
 
+// Isolines that cross a thin stroke every pixel or two leave the pieces between them no pixel of their own.
+TEST(Simplify, ATinyLinkNeedsNoPixel) {
+  Image image = blank(100, 100);
+  paint(image, {{20, 50}, {80, 50}}, 2);
+  Chains chains{{{50.5, 50}, {51.5, 50}}, {}};
+  for (const int j : {0, 1})
+    for (const double side : {-1.4, 1.4}) {
+      const Vec2 at = chains.junctions[static_cast<std::size_t>(j)];
+      chains.chains.push_back(chain_along({at, at + Vec2{0, side}}, 2, j, -1));
+    }
+  chains.chains.push_back(chain_along({{20, 50}, chains.junctions[0]}, 2, -1, 0));
+  chains.chains.push_back(chain_along({chains.junctions[0], chains.junctions[1]}, 2, 0, 1));
+  chains.chains.push_back(chain_along({chains.junctions[1], {80, 50}}, 2, 1, -1));
+  const Chains kept = drop_spurs(drop_uncovered(chains, ink_of(image), 4, 1), 1);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_NEAR(length_of(kept.chains[0]), 60, 1e-9);
+}
+
 TEST(Simplify, AChainBesideANearerOneHasNoInk) {
   Image image = blank(200, 100);
   paint(image, {{20, 50}, {180, 50}}, kWidth);
