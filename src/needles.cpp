@@ -53,20 +53,41 @@ class Needles {
  private:
   std::vector<Vec2>::const_iterator at(std::size_t k) const { return points_.begin() + static_cast<std::ptrdiff_t>(k); }
 
-  // The last turn that may follow this one right away; or this one.
+  // The last point, in a turn or beyond one, that may follow this turn right away; or the turn.
   std::size_t farthest_return(std::size_t turn) const {
     const std::size_t first = turns_[turn];
     std::size_t found = first;
-    for (std::size_t t = turn + 1; t < turns_.size() && lengths_[turns_[t]] - lengths_[first] <= longest_; ++t)
-      if (norm2(points_[turns_[t]] - points_[first]) <= distance2_ && rest_covers(first, turns_[t])) found = turns_[t];
+    const auto try_point = [&](std::size_t k) {
+      if (lengths_[k] - lengths_[first] <= longest_ && norm2(points_[k] - points_[first]) <= distance2_ && rest_covers(first, k))
+        found = k;
+    };
+    for (std::size_t t = turn + 1; t < turns_.size() && lengths_[turns_[t]] - lengths_[first] <= longest_; ++t) {
+      try_point(turns_[t]);
+      try_point(nearest_after(t, points_[first]));
+    }
     return found;
   }
 
+  // Up to the next turn.
+  std::size_t nearest_after(std::size_t turn, Vec2 p) const {
+    const std::size_t end = turn + 1 < turns_.size() ? turns_[turn + 1] : points_.size() - 1;
+    const auto nearer = [&](Vec2 a, Vec2 b) { return norm2(a - p) < norm2(b - p); };
+    return static_cast<std::size_t>(std::min_element(at(turns_[turn]), at(end), nearer) - points_.begin());
+  }
+
   bool rest_covers(std::size_t first, std::size_t last) const {
-    return std::all_of(at(first), at(last + 1), [&](Vec2 p) {
-      const auto near = [&](Vec2 q) { return norm2(p - q) <= distance2_; };
-      return std::any_of(points_.begin(), at(first + 1), near) || std::any_of(at(last + 1), points_.end(), near);
-    });
+    return std::all_of(at(first), at(last + 1),
+                       [&](Vec2 p) { return passes(p, 0, first) || passes(p, last + 1, points_.size() - 1); });
+  }
+
+  // Whether the path from one point to another does.
+  bool passes(Vec2 p, std::size_t from, std::size_t to) const {
+    for (std::size_t k = from; k < to; ++k) {
+      const Vec2 a = points_[k], along = points_[k + 1] - a;
+      const double share = norm2(along) > 0 ? std::clamp(dot(p - a, along) / norm2(along), 0.0, 1.0) : 0;
+      if (norm2(p - a - share * along) <= distance2_) return true;
+    }
+    return false;
   }
 
   const std::vector<Vec2>& points_;

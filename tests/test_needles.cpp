@@ -39,6 +39,14 @@ TEST(Needles, ATipThatIsWalkedTwiceIsWalkedOnce) {
   EXPECT_EQ(after.chains[0].points.back(), before.chains[0].points.back());
 }
 
+// Its turns are apart, but the path comes by both again.
+TEST(Needles, AWayThatIsGoneBackAndGoneAgainIsGoneOnce) {
+  const Chains before = one_chain({{0, 0}, {40, 0}, {25, 1}, {90, 0}});
+  const Chains after = drop_needles(before, 2, 80);
+  EXPECT_NEAR(length_of(after), 90, 2);
+  EXPECT_LT(farthest_from(before.chains[0].points, after.chains[0].points), 2);
+}
+
 TEST(Needles, AcuteCornersAndHatchingStay) {
   for (const double half : {1.0, 3.0, 10.0}) {
     const Chains corner = one_chain({{0, 60}, {half, 0}, {2 * half, 60}});
