@@ -106,7 +106,10 @@ void measure_options(const Image& image, const Options& options, const Stages& p
     Stages stages = plain;
     rerun_stages(stages, image, given, {});
     const double time = timed([&] { rerun_stages(stages, image, changed, {}); });
-    std::printf("  %-18s %8.3f s  %6.3f of the run\n", name, time, time / full);
+    std::printf("  %-18s %8.3f s  %6.3f of the run:", name, time, time / full);
+    for (const auto& [stage, seconds] : stages.report.seconds)
+      if (seconds > 0.001) std::printf(" %s %.3f", stage.c_str(), seconds);
+    std::printf("\n");
   }
 }
 

@@ -50,7 +50,7 @@ class Territory {
   void paint(Vec2 p, double radius, int chain, float position) {
     for (int y = floor_of(p.y - radius); y <= floor_of(p.y + radius); ++y)
       for (int x = floor_of(p.x - radius); x <= floor_of(p.x + radius); ++x) {
-        if (!chain_.contains(x, y) || norm(Vec2{x + 0.5, y + 0.5} - p) > radius) continue;
+        if (!chain_.contains(x, y) || norm2(Vec2{x + 0.5, y + 0.5} - p) > radius * radius) continue;
         chain_.set(x, y, chain);
         position_(x, y) = position;
       }

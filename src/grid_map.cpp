@@ -16,14 +16,17 @@ namespace inkgrid {
 namespace {
 
 struct Unknowns {
-  std::vector<Vec2> vertex;          // (u, v)
-  std::vector<IVec2> shift;          // per free shift
-  std::vector<std::int64_t> region;  // per snapping region
+  std::vector<Vec2> vertex;            // (u, v)
+  std::vector<IVec2> shift;            // per free shift
+  std::vector<std::int64_t> region;    // per snapping region
+  std::vector<EliminationPlan> plans;  // per component
 };
 
 // Writes only what belongs to the component, so components may be solved at the same time.
 void solve_component(const MapSetup& setup, const MapLayout& layout, int component, Unknowns& unknowns) {
-  const MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component));
+  EliminationPlan& plan = unknowns.plans[at(component)];
+  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan));
+  plan = std::move(solution.plan);
   const auto integer = [&](int place) { return static_cast<std::int64_t>(solution.integers[at(place)]); };
   for (std::size_t i = 0; i < layout.shift.size(); ++i)
     if (setup.cuts.shift_component[i] == component) unknowns.shift[i] = {integer(layout.shift[i]), integer(layout.shift[i] + 1)};
@@ -157,17 +160,20 @@ void measure_energies(const MapSetup& setup, const Unknowns& unknowns, GridMap& 
 }  // namespace
 
 GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
-                       const GridMapOptions& options, const Control& control, const Known* known) {
+                       const GridMapOptions& options, const Control& control, const Known* known,
+                       std::vector<EliminationPlan> plans) {
   const CutShifts cuts = trace_cuts(mesh, charts);
   const SnapRegions snap = merge_snapping(mesh, charts, labels, ink, options);
   const HeldVertices held = held_vertices(mesh, cuts, known);
   const MapSetup setup{mesh, charts, labels, ink, options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);
   Unknowns unknowns{std::vector<Vec2>(mesh.points.size()), std::vector<IVec2>(cuts.shift_component.size()),
-                    std::vector<std::int64_t>(snap.component.size())};
+                    std::vector<std::int64_t>(snap.component.size()), std::move(plans)};
+  unknowns.plans.resize(at(mesh.components));
   const std::vector<int> failed = ComponentSolver(setup, layout, control, unknowns).run();
   GridMap map = assemble_map(setup, unknowns);
   map.failed_components = failed;
+  map.plans = std::move(unknowns.plans);
   measure_energies(setup, unknowns, map);
   return map;
 }

@@ -9,6 +9,7 @@
 
 #include "base/transition.h"
 #include "labels.h"
+#include "numerics/pair_ldl.h"
 
 namespace inkgrid {
 
@@ -36,6 +37,7 @@ struct GridMap {
   double alignment_energy = 0;         // equation (2)
   double snapping_energy = 0;          // equation (3), without mu
   std::vector<int> failed_components;  // of the mesh: their solve failed, their coordinates mean nothing
+  std::vector<EliminationPlan> plans;  // per component
 
   Vec2 uv(int corner) const {
     const auto c = static_cast<std::size_t>(corner);
@@ -46,8 +48,10 @@ struct GridMap {
 
 struct Known;
 
-// Vertices of which all faces are known keep their coordinates to the last digit.
+// Vertices of which all faces are known keep their coordinates to the last digit.  `plans`: those of an earlier map with the same
+// charts and nothing known, or none.
 GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
-                       const GridMapOptions& options, const Control& control, const Known* known = nullptr);
+                       const GridMapOptions& options, const Control& control, const Known* known = nullptr,
+                       std::vector<EliminationPlan> plans = {});
 
 }  // namespace inkgrid

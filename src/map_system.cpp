@@ -69,7 +69,7 @@ class ComponentProblem {
       const Vec2 pull = turned(Vec2{frame.along_s[at(k)], frame.along_t[at(k)]}, -turn(corner));
       problem_.real_b[at(node(corner))].p += pull.x;
       problem_.real_b[at(node(corner))].q += pull.y;
-      for (int coordinate : {0, 1}) add_snapping(corner, coordinate, snapping_weight(corner, coordinate));
+      add_plain_snapping(corner);
     }
   }
 
@@ -127,6 +127,21 @@ class ComponentProblem {
       add_entry(integer, place, -weight * factor);
       add_entry(place, integer, -weight * factor);
     });
+  }
+
+  // The same where the corner is a turned vertex, without translations: one term.
+  void add_plain_snapping(int corner) {
+    if (setup_.snap.region[at(corner)] < 0) return;
+    const int coordinate = snapping_coordinate(setup_.labels[at(face_of(corner))]);
+    const double weight = snapping_weight(corner, coordinate);
+    const Vec2 unit_turn = turned(Vec2{1, 0}, turn(corner));
+    const double first = coordinate == 0 ? unit_turn.x : unit_turn.y;
+    const bool second = first == 0;
+    const double factor = second ? (coordinate == 0 ? -unit_turn.y : unit_turn.x) : first;
+    const int integer = layout_.region[at(setup_.snap.region[at(corner)])];
+    problem_.integral.push_back({integer, integer, weight});
+    problem_.reals.add(node(corner), node(corner), {second ? 0 : weight, 0, 0, second ? weight : 0});
+    problem_.coupling[at(integer)].push_back({2 * node(corner) + second, -weight * factor});
   }
 
   // factor / 2 * (corner a) * (corner b), of one coordinate.

@@ -131,7 +131,7 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
   if (first <= Stage::map)
     stages.map = run("grid map", 0.62, [&] {
       return solve_grid_map(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, part_of(control, 0.62, 0.9),
-                            known);
+                            known, std::move(stages.map.plans));
     });
 }
 
@@ -351,6 +351,7 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
   const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
   const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
   move_kept(first, stages, made);
+  if (Stage::charts < first && first <= Stage::map) made.map.plans = stages.map.plans;
   if (Stage::chains < first) made.parts = stages.parts;  // of use as long as what they are parts of is the same
   report_ink(made.ink, made.fills, made.report);
   try {

@@ -99,6 +99,21 @@ TEST(PairLdl, SolvesSparseAndDenseSystems) {
   }
 }
 
+// Other values at the same places.
+TEST(PairLdl, APlanIsOfUseForOtherValuesToTheLastDigit) {
+  std::mt19937 random(5);
+  const RandomSystem first(random, 60, 90, 0.3);
+  PairMatrix other = first.matrix;
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < other.size(); ++i) other.add(i, i, {1 + std::abs(normal(random)), 0, 0, 2});
+  const auto right = random_pairs(random, 60);
+  const auto afresh = PairLdl(other).solve(right), planned = PairLdl(other, PairLdl(first.matrix).plan()).solve(right);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    EXPECT_EQ(planned[i].p, afresh[i].p);
+    EXPECT_EQ(planned[i].q, afresh[i].q);
+  }
+}
+
 TEST(PairLdl, RealAndComplexSolutionsAgree) {
   std::mt19937 random(6);
   const RandomSystem system(random, 40, 70, 0.3);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "inkgrid/inkgrid.h"
 
@@ -257,9 +258,9 @@ std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const 
 
 }  // namespace
 
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem) {
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan) {
   require_finite(problem);
-  PairLdl factor(problem.reals);
+  PairLdl factor(problem.reals, std::move(plan));
   const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b));
   SparseLdl integer_factor = factorise(reduced, integral_diagonal(problem));
   const std::vector<double> relaxed = integer_factor.solve(reduced.h);
@@ -270,6 +271,7 @@ MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem) {
   solution.energy = reduced.energy(solution.integers);
   solution.greedy_energy = reduced.energy(greedy);
   solution.relaxed_energy = reduced.energy(relaxed);
+  solution.plan = factor.plan();
   return solution;
 }
 

@@ -27,11 +27,13 @@ struct MixedIntegerSolution {
   double energy = 0;             // x' A x / 2 - b' x
   double greedy_energy = 0;      // before the local search
   double relaxed_energy = 0;     // its minimum over the reals
+  EliminationPlan plan;          // of the reals
 };
 
 // Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.
 // Then single integers and pairs of coupled ones move by one as long as the energy falls, the steepest move first.
+// `plan`: that of an earlier problem whose reals had blocks at the same places, or none.
 // Throws Error{numerics} when A is not positive definite or holds a value that is not finite.
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem);
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {});
 
 }  // namespace inkgrid

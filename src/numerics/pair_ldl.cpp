@@ -89,23 +89,28 @@ Rows permuted_rows(const PairMatrix& matrix, const std::vector<int>& places) {
   return rows;
 }
 
+// The tree of elimination and the sizes of the columns.
+void plan_columns(const Rows& rows, EliminationPlan& plan) {
+  plan.parents.assign(plan.places.size(), -1);
+  plan.starts.assign(plan.places.size() + 1, 0);
+  std::vector<int> seen(plan.places.size(), -1);  // per column: the last row that visited it
+  for (int k = 0; k < static_cast<int>(plan.places.size()); ++k) {
+    seen[at(k)] = k;
+    for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e)
+      for (int i = rows.columns[at(e)]; seen[at(i)] != k; i = plan.parents[at(i)]) {
+        if (plan.parents[at(i)] < 0) plan.parents[at(i)] = k;
+        ++plan.starts[at(i) + 1];
+        seen[at(i)] = k;
+      }
+  }
+  accumulate_starts(plan.starts);
+}
+
 // The columns of row k of the factor, each after those that contribute to it; `seen` holds the last row that visited a column.
 class RowPattern {
  public:
-  RowPattern(const Rows& rows, std::vector<int>& parents)
+  RowPattern(const Rows& rows, const std::vector<int>& parents)
       : rows_(rows), parents_(parents), seen_(parents.size(), -1), pattern_(parents.size()) {}
-
-  // Visits the columns of row k that were not visited for it before, from the row's own terms towards the root.
-  template <class Visit>
-  void climb(int k, Visit visit) {
-    seen_[at(k)] = k;
-    for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e)
-      for (int i = rows_.columns[at(e)]; seen_[at(i)] != k; i = parents_[at(i)]) {
-        if (parents_[at(i)] < 0) parents_[at(i)] = k;
-        visit(i);
-        seen_[at(i)] = k;
-      }
-  }
 
   // Ascending along every path of the tree.
   const int* begin() const { return pattern_.data() + top_; }
@@ -126,7 +131,7 @@ class RowPattern {
 
  private:
   const Rows& rows_;
-  std::vector<int>& parents_;
+  const std::vector<int>& parents_;
   std::vector<int> seen_;
   std::vector<int> pattern_;
   std::size_t top_ = 0;
@@ -172,23 +177,22 @@ std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) co
   return y;
 }
 
-PairLdl::PairLdl(const PairMatrix& matrix)
-    : places_(elimination_places(matrix.starts(), matrix.rows())), work_(places_.size()), marked_(places_.size(), 0) {
-  const std::size_t size = places_.size();
-  const Rows rows = permuted_rows(matrix, places_);
+PairLdl::PairLdl(const PairMatrix& matrix, EliminationPlan plan) : plan_(std::move(plan)) {
+  const std::size_t size = at(matrix.size());
+  const bool planned = !plan_.starts.empty();
+  if (!planned) plan_.places = elimination_places(matrix.starts(), matrix.rows());
+  const Rows rows = permuted_rows(matrix, plan_.places);
+  if (!planned) plan_columns(rows, plan_);
+  work_.resize(size);
+  marked_.assign(size, 0);
   std::vector<Block> pivots(size);
-  for (std::size_t i = 0; i < size; ++i) pivots[at(places_[i])] = matrix.diagonal()[i];
-  std::vector<int> parents(size, -1);
-  starts_.assign(size + 1, 0);
-  RowPattern counting(rows, parents);
-  for (int k = 0; k < static_cast<int>(size); ++k) counting.climb(k, [&](int i) { ++starts_[at(i) + 1]; });
-  accumulate_starts(starts_);
-  rows_.resize(at(starts_.back()));
+  for (std::size_t i = 0; i < size; ++i) pivots[at(plan_.places[i])] = matrix.diagonal()[i];
+  rows_.resize(at(plan_.starts.back()));
   blocks_.resize(rows_.size());
   inverse_pivots_.resize(size);
-  std::vector<int> ends(starts_.begin(), starts_.end() - 1);  // of the part of each column that is known
+  std::vector<int> ends(plan_.starts.begin(), plan_.starts.end() - 1);  // of the part of each column that is known
   std::vector<Block> row(size);
-  RowPattern pattern(rows, parents);
+  RowPattern pattern(rows, plan_.parents);
   for (int k = 0; k < static_cast<int>(size); ++k) {
     for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e) row[at(rows.columns[at(e)])] = rows.blocks[at(e)];
     const double least = kPivotTolerance * trace(pivots[at(k)]);
@@ -196,7 +200,7 @@ PairLdl::PairLdl(const PairMatrix& matrix)
     for (const int i : pattern) {
       const Block term = row[at(i)];
       row[at(i)] = {};
-      for (int e = starts_[at(i)]; e < ends[at(i)]; ++e) subtract_product(row[at(rows_[at(e)])], term, blocks_[at(e)]);
+      for (int e = plan_.starts[at(i)]; e < ends[at(i)]; ++e) subtract_product(row[at(rows_[at(e)])], term, blocks_[at(e)]);
       const Block entry = product(term, inverse_pivots_[at(i)]);
       subtract_product(pivots[at(k)], entry, transposed(term));
       rows_[at(ends[at(i)])] = k;
@@ -210,20 +214,21 @@ PairLdl::PairLdl(const PairMatrix& matrix)
 
 template <class Scalar>
 std::vector<Pair<Scalar>> PairLdl::solve(const std::vector<Pair<Scalar>>& right) const {
-  const int size = static_cast<int>(places_.size());
+  const int size = static_cast<int>(plan_.places.size());
   std::vector<Pair<Scalar>> y(right.size());
-  for (int i = 0; i < size; ++i) y[at(places_[at(i)])] = right[at(i)];
+  for (int i = 0; i < size; ++i) y[at(plan_.places[at(i)])] = right[at(i)];
   for (int k = 0; k < size; ++k) {
     const Pair<Scalar> yk = y[at(k)];
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) y[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
+    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e)
+      y[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
   }
   for (int k = size - 1; k >= 0; --k) {
     Pair<Scalar> yk = product(inverse_pivots_[at(k)], y[at(k)]);
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) yk -= product(blocks_[at(e)], y[at(rows_[at(e)])]);
+    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e) yk -= product(blocks_[at(e)], y[at(rows_[at(e)])]);
     y[at(k)] = yk;
   }
   std::vector<Pair<Scalar>> x(right.size());
-  for (int i = 0; i < size; ++i) x[at(i)] = y[at(places_[at(i)])];
+  for (int i = 0; i < size; ++i) x[at(i)] = y[at(plan_.places[at(i)])];
   return x;
 }
 
@@ -233,11 +238,10 @@ template std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>&
 // The columns that a solve with the right hand side `a` visits, each after those it depends on: the paths from its terms to the
 // root.
 std::vector<int> PairLdl::reach(const SparseVector& a) {
-  const auto parent = [&](int k) { return starts_[at(k)] < starts_[at(k) + 1] ? rows_[at(starts_[at(k)])] : -1; };
   std::vector<int> reversed, path;
   for (const SparseTerm& term : a) {
     path.clear();
-    for (int k = places_[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = parent(k)) {
+    for (int k = plan_.places[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = plan_.parents[at(k)]) {
       marked_[at(k)] = 1;
       path.push_back(k);
     }
@@ -251,7 +255,7 @@ std::vector<int> PairLdl::reach(const SparseVector& a) {
 SparseVector PairLdl::half_solve(const SparseVector& a, double floor) {
   const std::vector<int> columns = reach(a);
   for (const SparseTerm& term : a) {
-    RealPair& pair = work_[at(places_[at(term.index / 2)])];
+    RealPair& pair = work_[at(plan_.places[at(term.index / 2)])];
     (term.index % 2 == 0 ? pair.p : pair.q) += term.value;
   }
   SparseVector result;
@@ -264,7 +268,8 @@ SparseVector PairLdl::half_solve(const SparseVector& a, double floor) {
     if (std::abs(first) > floor) result.push_back({2 * k, first});
     if (std::abs(second) > floor) result.push_back({2 * k + 1, second});
     if (std::abs(first) <= floor && std::abs(second) <= floor) continue;
-    for (int e = starts_[at(k)]; e < starts_[at(k) + 1]; ++e) work_[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
+    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e)
+      work_[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
   }
   return result;
 }

@@ -1,7 +1,6 @@
 // What:   symmetric positive definite systems with two unknowns a node, as 2 x 2 blocks.
-// Source: sections 6.1 and 6.2, the linear systems of the field and of the map; up-looking factorisation along the elimination tree (Davis 2006, chapter 4).
-// Differs: nothing.
-// Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
+// Source: sections 6.1 and 6.2, the linear systems of the field and of the map; up-looking factorisation along the elimination
+// tree (Davis 2006, chapter 4). Differs: nothing. Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
 #pragma once
 
 #include <array>
@@ -69,11 +68,20 @@ class PairMatrix {
   std::vector<Block> diagonal_;
 };
 
+// What a factorisation does, whatever the values: the same for all matrices with blocks at the same places.
+struct EliminationPlan {
+  std::vector<int> places;   // of each node in the order of elimination
+  std::vector<int> parents;  // per place: that of the first row below the diagonal of its column of L, -1 where it has none
+  std::vector<int> starts;   // L by columns, its unit diagonal left out
+};
+
 // A = P' L D L' P.
 class PairLdl {
  public:
-  // Throws Error{numerics} where the matrix is not positive definite.
-  explicit PairLdl(const PairMatrix& matrix);
+  // Throws Error{numerics} where the matrix is not positive definite.  An empty plan is made first.
+  explicit PairLdl(const PairMatrix& matrix, EliminationPlan plan = {});
+
+  const EliminationPlan& plan() const { return plan_; }
 
   // For real and for complex pairs.
   template <class Scalar>
@@ -85,9 +93,8 @@ class PairLdl {
  private:
   std::vector<int> reach(const SparseVector& a);
 
-  std::vector<int> places_;  // of each node in the order of elimination
-  std::vector<int> starts_;  // L by columns, its unit diagonal left out
-  std::vector<int> rows_;    // ascending in each column
+  EliminationPlan plan_;
+  std::vector<int> rows_;      // ascending in each column
   std::vector<Block> blocks_;  // of L, transposed
   std::vector<Block> inverse_pivots_;
   std::vector<RealPair> work_;  // zero between calls
