@@ -65,10 +65,11 @@ class SectionReader {
     double last = 0;
     for (double t = 0.5 * kWalkStep; t < farthest_; t += kWalkStep) {
       const Vec2 q = p + t * direction;
-      if (!ink_.mask.contains(static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y)))) return side;
-      const int owner = ownership_.owner.at(q);
+      const int x = floor_of(q.x), y = floor_of(q.y);
+      if (!ink_.mask.contains(x, y)) return side;
+      const int owner = ownership_.owner(x, y);
       if (owner >= 0 && !belongs(owner, sample)) return side;
-      if (nearest(ink_.mask, q, std::uint8_t{0})) {
+      if (ink_.mask(x, y)) {
         last = t + 0.5 * kWalkStep;
         const double dark = bilinear(ink_.darkness, q);
         side.mass += dark;
