@@ -54,7 +54,7 @@ class Pixels {
   friend bool operator==(const Pixels& a, const Pixels& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
 
  private:
-  static constexpr std::size_t kPaged = std::size_t{4} << 20;  // bytes: for less, new pages cost more time than they save memory
+  static constexpr std::size_t kPaged = std::size_t{6} << 20;  // bytes: for less, new pages cost more time than they save memory
   static constexpr std::size_t kBlock = 4096 / sizeof(T);      // a page
 
   struct Free {
