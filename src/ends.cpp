@@ -13,9 +13,10 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kAligned = 0.97;      // cosine of 14 degrees
-constexpr double kMuchNarrower = 0.5;  // of its chain: a stroke that is left of a bundle
-constexpr double kBeside = 0.5;        // strokes between ends that passed each other in one stroke
+constexpr double kAligned = 0.97;  // cosine of 14 degrees
+constexpr double kNarrower = 0.9;  // of the way to the end, and
+constexpr double kSteps = 0.5;     // px: less are the steps of pixels
+constexpr double kBeside = 0.5;    // strokes between ends that passed each other in one stroke
 
 // One end of a chain.
 struct End {
@@ -428,8 +429,7 @@ double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
 double cap_radius(const Ink& ink, Vec2 end, Vec2 outward, double half_width) {
   const auto chord_at = [&](double inside) { return half_chord(ink, end - inside * outward, quarter_turn(outward), half_width); };
   double inside = half_width;
-  if (chord_at(inside) > kMuchNarrower * half_width) return inside;
-  while (inside > 0.25 && chord_at(inside) < inside) inside -= 0.25;
+  while (inside > 0.25 && chord_at(inside) < std::min(kNarrower * inside, inside - kSteps)) inside -= 0.25;
   return inside;
 }
 

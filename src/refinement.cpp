@@ -24,6 +24,7 @@ constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kLongestHook = 2;   // of the pen
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
+constexpr double kStraight = 2;      // strokes: chains that are in line over this are one
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -62,7 +63,8 @@ BlotLengths blot_lengths(double spacing, double width, double pen) {
 }
 
 RidgeOptions ridge_options(double width, double reach, double spacing) {
-  return {std::max(0.75, 0.15 * width), std::max(1.0, reach * width), 0.5 * spacing * width, nullptr, 0};
+  return {std::max(0.75, 0.15 * width),       std::max(1.0, reach * width), 0.5 * spacing * width, nullptr, 0,
+          spacing < 1 ? 0 : kStraight * width};
 }
 
 class Refinement {

@@ -6,6 +6,7 @@
 
 #include "base/sample.h"
 #include "polyline.h"
+#include "strokes.h"
 
 namespace inkgrid {
 namespace {
@@ -102,6 +103,11 @@ class SectionReader {
   const RidgeOptions& options_;
   double farthest_;
 };
+
+// Points to both sides over which a width is usual.
+int width_span(double stroke_width, double step) {
+  return std::max(4, static_cast<int>(5 * stroke_width / step));
+}
 
 // The usual width around each point: the median of what is known within `span` points, else of the whole chain, else `fallback`.
 std::vector<double> usual_widths(const std::vector<CrossSection>& sections, int span, double fallback) {
@@ -249,7 +255,6 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
   const Ownership ownership = assign_ink(chains, ink, options.bridge);
   const SectionReader reader(ownership, ink, options);
   const int tangent_span = std::max(1, static_cast<int>(std::lround(options.smooth / options.step)));
-  const int width_span = std::max(4, static_cast<int>(5 * ink.stroke_width / options.step));
   for (std::size_t c = 0; c < ridges.size(); ++c) {
     auto& ridge = ridges[c];
     const int n = static_cast<int>(ridge.chain.points.size());
@@ -261,28 +266,68 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOpt
           reader.read(ownership.first[c] + k, ridge.chain.points[static_cast<std::size_t>(k)], normals.back()));
     }
     if (options.drawn) doubt_rims(ridge, normals, ink.stroke_width, options);
-    const auto usual = usual_widths(ridge.sections, width_span, ink.stroke_width);
+    const auto usual = usual_widths(ridge.sections, width_span(ink.stroke_width, options.step), ink.stroke_width);
     judge(ridge.sections, usual);
-    ridge.chain.width = median(usual);
-    ridge.chain.confirmed =
-        options.step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
-                                                         [](const CrossSection& x) { return x.weight == 1; }));
     move_points(ridge, normals, stiffness(ridge.chain, usual, ink.stroke_width, options));
   }
+}
+
+std::vector<Vec2> spaced_points(const Chain& chain, double step) {
+  const auto points = resampled(chain.points, step);
+  // Short closed chains keep enough points to stay round.
+  if (chain.closed && points.size() < 9) return resampled(chain.points, lengths_along(chain.points).back() / 8);
+  return points;
+}
+
+// The points of its parts, one after the other; what they share at junctions once.
+Chain joined(const std::vector<StrokePart>& stroke, const std::vector<RidgeChain>& parts) {
+  Chain whole = parts[static_cast<std::size_t>(stroke.front().chain)].chain;
+  whole.points.clear();
+  for (const StrokePart& part : stroke) {
+    auto points = parts[static_cast<std::size_t>(part.chain)].chain.points;
+    if (part.reversed) std::reverse(points.begin(), points.end());
+    whole.points.insert(whole.points.end(), points.begin() + (whole.points.empty() ? 0 : 1), points.end());
+  }
+  return whole;
+}
+
+// Gives the parts what was found for the stroke.
+void split(const RidgeChain& whole, const std::vector<StrokePart>& stroke, std::vector<RidgeChain>& parts) {
+  std::ptrdiff_t from = 0;
+  for (const StrokePart& part : stroke) {
+    RidgeChain& ridge = parts[static_cast<std::size_t>(part.chain)];
+    const auto count = static_cast<std::ptrdiff_t>(ridge.chain.points.size());
+    const auto copy = [&](const auto& values, auto& into) {
+      into.assign(values.begin() + from, values.begin() + from + count);
+      if (part.reversed) std::reverse(into.begin(), into.end());
+    };
+    copy(whole.chain.points, ridge.chain.points);
+    copy(whole.sections, ridge.sections);
+    if (part.reversed)
+      for (CrossSection& section : ridge.sections) section.offset = -section.offset;
+    from += count - 1;
+  }
+}
+
+void measure(RidgeChain& ridge, double stroke_width, double step) {
+  ridge.chain.width = median(usual_widths(ridge.sections, width_span(stroke_width, step), stroke_width));
+  ridge.chain.confirmed = step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
+                                                                   [](const CrossSection& x) { return x.weight == 1; }));
 }
 
 }  // namespace
 
 std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const Ink& ink, const RidgeOptions& options) {
-  std::vector<RidgeChain> ridges;
+  std::vector<RidgeChain> ridges, wholes;
   for (const auto& chain : chains) {
     ridges.push_back({chain, {}});
-    ridges.back().chain.points = resampled(chain.points, options.step);
-    // Short closed chains keep enough points to stay round.
-    if (chain.closed && ridges.back().chain.points.size() < 9)
-      ridges.back().chain.points = resampled(chain.points, lengths_along(chain.points).back() / 8);
+    ridges.back().chain.points = spaced_points(chain, options.step);
   }
-  for (int round = 0; round < 2; ++round) follow_once(ridges, ink, options);
+  const auto strokes = strokes_of(chains, options.stroke_span);
+  for (const auto& stroke : strokes) wholes.push_back({joined(stroke, ridges), {}});
+  for (int round = 0; round < 2; ++round) follow_once(wholes, ink, options);
+  for (std::size_t s = 0; s < strokes.size(); ++s) split(wholes[s], strokes[s], ridges);
+  for (RidgeChain& ridge : ridges) measure(ridge, ink.stroke_width, options.step);
   return ridges;
 }
 

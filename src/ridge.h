@@ -29,6 +29,7 @@ struct RidgeOptions {
   double smooth = 3;                            // bends shorter than this are noise, px
   const Raster<std::uint8_t>* drawn = nullptr;  // the ink before it was slimmed, where it was
   double taken = 0;                             // what slimming took from the width of most strokes, px
+  double stroke_span = 0;                       // over which chains go straight on into each other, px; 0: they move alone
 };
 
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,

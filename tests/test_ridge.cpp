@@ -113,6 +113,25 @@ TEST(Ridge, StrokesThatTouchSideBySideDoNotMerge) {
   middle_is_near(ridges[1].chain.points, 66);
 }
 
+// Beside a branch that stands for nothing, a line runs as if it were not there.
+TEST(Ridge, ABranchDoesNotBreakTheLine) {
+  Image image = blank(200, 100);
+  paint(image, {{20, 50}, {180, 50}}, kWidth);
+  paint(image, {{100, 57}, {180, 57}}, kWidth);
+  const Ink ink = ink_of(image);
+  const Line way{{20, 50}, {90, 50}, {110, 54}, {180, 54}};
+  RidgeOptions options = kOptions;
+  options.stroke_span = 2 * kWidth;
+  const auto whole = follow_ridges({chain_along(way, kWidth)}, ink, options)[0].chain.points;
+  const Vec2 junction{100, 52};
+  const auto parts =
+      follow_ridges({chain_along({way[0], way[1], junction}, kWidth, -1, 0),
+                     chain_along({way[3], way[2], junction}, kWidth, -1, 0), chain_along({junction, {100, 46}}, kWidth, 0, -1)},
+                    ink, options);
+  EXPECT_TRUE(parts[0].chain.points.back() == parts[1].chain.points.back()) << "the line is in one piece";
+  for (const int part : {0, 1}) EXPECT_LT(rms(parts[static_cast<std::size_t>(part)].chain.points, whole, kWidth), 0.4) << part;
+}
+
 TEST(Ridge, ACrossingDoesNotPullTheLineAside) {
   Image image = blank(200, 200);
   paint(image, {{20, 100}, {180, 100}}, kWidth);
