@@ -72,7 +72,7 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
     if (owner < 0) continue;
     const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
     const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
-    if (norm(target - q) > chain.width && !over_ink(ink.mask, q, target, options.bridge)) continue;
+    if (!over_ink(ink.mask, q, target, options.slit)) continue;
     if (sample.chain == end.chain) {
       // The chain's own far part counts as another chain.
       const double back = std::abs(lengths[static_cast<std::size_t>(sample.point)] - (end.at_start ? 0 : lengths.back()));

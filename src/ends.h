@@ -14,6 +14,7 @@ struct EndOptions {
   double reach = 6;   // how far an end may be from the chain it runs into, px
   double blot = 6;    // the same over nothing but ink: how long two strokes of a sharp fork share it, px
   double bridge = 1;  // paper narrower than this does not end a stroke, px
+  double slit = 1;    // paper narrower than this does not part an end from a chain whose ink it is in, px
   double gap = 0;     // the same between ends in line with each other, px
 };
 

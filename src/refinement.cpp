@@ -67,6 +67,12 @@ RidgeOptions ridge_options(double width, double reach, double spacing) {
           spacing < 1 ? 0 : kStraight * width};
 }
 
+// A grid finer than the strokes keeps the slits between them open.
+EndOptions end_options(double blot, double bridge, double width, const RefinementOptions& options) {
+  const double narrow = std::max(1.0, 0.5 * options.reach * width);
+  return {1.5 * width, blot, narrow, options.spacing < 1 ? narrow : bridge, options.gap * options.pen};
+}
+
 class Refinement {
  public:
   Refinement(const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options)
@@ -78,7 +84,7 @@ class Refinement {
         resolution_(resolution_of(options.spacing, width_, options.pen)),
         blot_(blot_lengths(options.spacing, width_, options.pen)),
         ridge_(ridge_options(width_, options.reach, options.spacing)),
-        ends_{1.5 * width_, blot_.arms, std::max(1.0, 0.5 * options.reach * width_), options.gap * options.pen} {
+        ends_(end_options(blot_.arms, bridge_, width_, options)) {
     if (width_ < options.pen) ridge_.drawn = &drawn, ridge_.taken = options.pen - width_;
   }
 

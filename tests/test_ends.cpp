@@ -18,7 +18,7 @@ using testing::paint;
 
 constexpr double kWidth = 6;
 constexpr RidgeOptions kRidge{1, 1.8, 3};
-constexpr EndOptions kEnds{1.5 * kWidth, 1.5 * kWidth, 1, 0};
+constexpr EndOptions kEnds{1.5 * kWidth, 1.5 * kWidth, 1, 1, 0};
 
 double length_of(const Chain& chain) {
   return lengths_along(chain.points).back();
@@ -175,7 +175,7 @@ TEST(Ends, AnEndIsNotAttachedOverASlit) {
   paint(image, {{40, 20}, {40, 180}}, 2);
   paint(image, {{44, 20}, {44, 180}}, 2);
   const Chains traced{{}, {chain_along({{40, 28}, {40, 180}}, 2), chain_along({{44, 20}, {44, 180}}, 2)}};
-  const Chains kept = attach_ends(traced, ink_of(image), {3, 14, 1, 0});
+  const Chains kept = attach_ends(traced, ink_of(image), {3, 14, 1, 1, 0});
   EXPECT_TRUE(kept.junctions.empty());
   EXPECT_EQ(kept.chains.size(), 2u);
 }
@@ -203,7 +203,7 @@ TEST(Ends, EndsThatPassedEachOtherInOneStrokeMeetAndArmsOfATeeDoNot) {
   Image image = blank(200, 100);
   paint(image, {{20, 50}, {180, 50}}, kWidth);
   const Ink ink = ink_of(image);
-  const EndOptions options{1.5 * kWidth, 5 * kWidth, 1, 0};
+  const EndOptions options{1.5 * kWidth, 5 * kWidth, 1, 1, 0};
   const Chains passed{{}, {chain_along({{20, 49}, {112, 49}}, kWidth), chain_along({{92, 51}, {180, 51}}, kWidth)}};
   EXPECT_EQ(join_facing_ends(passed, ink, options).chains.size(), 1u);
   Chains tee{{{100, 50}},
