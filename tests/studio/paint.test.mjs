@@ -160,20 +160,19 @@ test('gap bridging joins a broken stroke, and none keeps it broken', { timeout: 
 
 test('held keys compare, and a curve tells its measures', { timeout: patience }, async (t) => {
   const tab = await tabWithCross(t), place = await tab.placer(240, 180);
-  const picture = async () => (await tab.page.locator('#stage').screenshot()).toString('base64');
   await tab.page.mouse.move(...place([60, 60]));
   await tab.page.waitForSelector('#card:not([hidden])');
   assert.match(await tab.page.textContent('#card'), /px long, [\d.]+ px wide, \d+ segments?, \d+ % on ink/);
   await tab.page.mouse.move(...place([200, 20]));
   await tab.page.waitForSelector('#card', { state: 'hidden' });
   await tab.page.click('#layer-handles');
-  await tab.page.evaluate(() => document.activeElement.blur()); // a ring of focus would come with the first key
-  const usual = await picture();
+  await tab.page.evaluate(() => document.activeElement.blur()); // keys go to the page
+  const usual = await tab.drawn();
   for (const key of ['a', 's', 'd']) {
     await tab.page.keyboard.down(key);
-    await eventually(async () => (await picture()) !== usual, `holding ${key}`);
+    assert.notEqual(await tab.drawn(), usual, `holding ${key}`);
     await tab.page.keyboard.up(key);
-    await eventually(async () => (await picture()) === usual, `letting go of ${key}`);
+    assert.equal(await tab.drawn(), usual, `letting go of ${key}`);
   }
 });
 

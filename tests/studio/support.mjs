@@ -109,6 +109,14 @@ export class Tab {
     }, [png, colour]);
   }
 
+  // The drawn stage without what lies over it, once all that was asked for is drawn.
+  drawn() {
+    return this.page.evaluate(async () => {
+      for (let frame = 0; frame < 2; ++frame) await new Promise(requestAnimationFrame);
+      return [...document.querySelectorAll('#stage canvas')].map((canvas) => canvas.toDataURL()).join();
+    });
+  }
+
   command() {
     return this.page.textContent('#command');
   }
