@@ -18,9 +18,9 @@
 #include <random>
 #include <string>
 
-#include "image_io.h"
-#include "parts.h"
-#include "scribbles.h"
+#include "images/image_io.h"
+#include "scribbles/parts.h"
+#include "scribbles/scribbles.h"
 
 namespace inkgrid {
 namespace {

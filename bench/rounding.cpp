@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string>
 
-#include "image_io.h"
-#include "map_system.h"
+#include "images/image_io.h"
+#include "map/map_system.h"
 #include "pipeline.h"
 
 namespace inkgrid {

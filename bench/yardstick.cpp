@@ -14,9 +14,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "field_system.h"
-#include "image_io.h"
-#include "map_system.h"
+#include "field/field_system.h"
+#include "images/image_io.h"
+#include "map/map_system.h"
 #include "pipeline.h"
 
 namespace inkgrid {

@@ -5,7 +5,7 @@
 
 #include "compare/comparison_text.h"
 #include "files.h"
-#include "image_io.h"
+#include "images/image_io.h"
 #include "inkgrid/inkgrid.h"
 #include "manual.h"
 

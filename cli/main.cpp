@@ -7,13 +7,13 @@
 #include "arguments.h"
 #include "compare_command.h"
 #include "files.h"
-#include "image_io.h"
+#include "images/image_io.h"
 #include "jobs.h"
 #include "manual.h"
+#include "pictures/stage_pictures.h"
 #include "progress.h"
-#include "project.h"
+#include "project/project.h"
 #include "report_json.h"
-#include "stage_pictures.h"
 #include "studio/studio.h"
 
 namespace inkgrid::cli {

@@ -6,8 +6,8 @@
 
 #include "base/decimal.h"
 #include "base/overloaded.h"
+#include "ink/slim.h"
 #include "inkgrid/inkgrid.h"
-#include "slim.h"
 
 namespace inkgrid {
 namespace {

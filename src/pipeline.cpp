@@ -5,18 +5,18 @@
 #include <functional>
 #include <string>
 
-#include "assembled.h"
-#include "ends.h"
-#include "fill_outlines.h"
-#include "folds.h"
-#include "leftovers.h"
+#include "fit/fit_outlines.h"
+#include "graph/folds.h"
+#include "ink/preset.h"
 #include "options.h"
-#include "parts.h"
-#include "preset.h"
-#include "refinement.h"
+#include "refine/ends.h"
+#include "refine/leftovers.h"
+#include "refine/refinement.h"
 #include "run_report.h"
+#include "scribbles/assembled.h"
+#include "scribbles/parts.h"
+#include "scribbles/window.h"
 #include "stopwatch.h"
-#include "window.h"
 
 namespace inkgrid {
 namespace {
@@ -370,14 +370,6 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
 }
 
 }  // namespace
-
-const Ink& grid_ink(const Stages& stages) {
-  return stages.slim.mask.data.empty() ? stages.ink : stages.slim;
-}
-
-const Ink& covered_ink(const Stages& stages) {
-  return stages.bundles.count > 0 ? stages.slim : stages.ink;
-}
 
 void rerun_stages(Stages& stages, const Image& image, const Options& options, const Control& control) {
   run_again(stages, image, options, control, Keep::stages);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "leftovers.h"
+#include "refine/leftovers.h"
 
 namespace inkgrid {
 

@@ -4,8 +4,8 @@
 // Cost:   linear in what is counted.
 #pragma once
 
-#include "chains.h"
-#include "fills.h"
+#include "graph/chains.h"
+#include "ink/fills.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "guard.h"
-#include "image_format.h"
-#include "image_io.h"
+#include "images/image_format.h"
+#include "images/image_io.h"
 
 namespace inkgrid::studio {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "event_stream.h"
-#include "project.h"
+#include "project/project.h"
 
 namespace inkgrid::studio {
 

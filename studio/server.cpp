@@ -10,10 +10,10 @@
 #include "embedded.h"
 #include "export/export.h"
 #include "guard.h"
+#include "pictures/stage_pictures.h"
 #include "recording.h"
 #include "report_json.h"
 #include "solve.h"
-#include "stage_pictures.h"
 #include "worker.h"
 
 namespace inkgrid::studio {

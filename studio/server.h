@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "project.h"
+#include "project/project.h"
 
 namespace inkgrid::studio {
 

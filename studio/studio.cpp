@@ -4,7 +4,7 @@
 
 #include "arguments.h"
 #include "browser.h"
-#include "image_io.h"
+#include "images/image_io.h"
 #include "inkgrid/inkgrid.h"
 #include "server.h"
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "chains.h"
+#include "base/polyline.h"
 #include "drawings.h"
-#include "polyline.h"
+#include "graph/chains.h"
 
 namespace inkgrid::testing {
 

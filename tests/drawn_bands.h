@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "band_mesh.h"
 #include "drawings.h"
-#include "threshold.h"
+#include "ink/band_mesh.h"
+#include "ink/threshold.h"
 
 namespace inkgrid::testing {
 

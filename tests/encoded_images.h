@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "image_io.h"
+#include "images/image_io.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid::testing {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "grid_map.h"
+#include "map/grid_map.h"
 
 namespace inkgrid::testing {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "isolines.h"
+#include "graph/isolines.h"
 #include "mapped_meshes.h"
 
 namespace inkgrid {

@@ -13,7 +13,7 @@
 #include <random>
 
 #include "base/union_find.h"
-#include "exact_map.h"
+#include "map/exact_map.h"
 
 namespace inkgrid {
 

@@ -5,9 +5,9 @@
 #include <random>
 #include <set>
 
-#include "band_mesh.h"
 #include "base/sample.h"
 #include "drawn_bands.h"
+#include "ink/band_mesh.h"
 
 namespace inkgrid {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <numbers>
 
-#include "blots.h"
+#include "base/polyline.h"
 #include "chain_checks.h"
 #include "drawn_bands.h"
-#include "polyline.h"
+#include "refine/blots.h"
 
 namespace inkgrid {
 namespace {

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "bundles.h"
+#include "base/polyline.h"
 #include "drawings.h"
 #include "pipeline.h"
-#include "polyline.h"
+#include "refine/bundles.h"
 
 namespace inkgrid {
 namespace {

@@ -4,10 +4,10 @@
 #include <random>
 
 #include "chain_checks.h"
-#include "chains.h"
-#include "edge_support.h"
-#include "ownership.h"
+#include "graph/chains.h"
+#include "graph/edge_support.h"
 #include "pipeline.h"
+#include "refine/ownership.h"
 
 namespace inkgrid {
 namespace {

@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "base/union_find.h"
-#include "charts.h"
 #include "drawn_bands.h"
 #include "hand_made_maps.h"
+#include "map/charts.h"
 
 namespace inkgrid {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "contour.h"
+#include "base/contour.h"
 
 namespace inkgrid {
 namespace {

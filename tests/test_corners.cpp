@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "arrival.h"
+#include "base/polyline.h"
 #include "chain_checks.h"
-#include "corners.h"
-#include "polyline.h"
+#include "refine/arrival.h"
+#include "refine/corners.h"
 
 namespace inkgrid {
 namespace {

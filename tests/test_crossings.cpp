@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "crossings.h"
+#include "refine/crossings.h"
 
 namespace inkgrid {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/cubic.h"
-#include "edits.h"
+#include "project/edits.h"
 
 namespace inkgrid {
 namespace {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "chain_checks.h"
-#include "ends.h"
-#include "junctions.h"
+#include "refine/ends.h"
+#include "refine/junctions.h"
 
 namespace inkgrid {
 namespace {

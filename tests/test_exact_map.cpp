@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "exact_map.h"
 #include "isoline_checks.h"
+#include "map/exact_map.h"
 
 namespace inkgrid {
 namespace {

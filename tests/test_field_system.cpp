@@ -7,7 +7,7 @@
 #include <random>
 
 #include "drawn_bands.h"
-#include "field_system.h"
+#include "field/field_system.h"
 
 namespace inkgrid {
 namespace {

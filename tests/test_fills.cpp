@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "fill_outlines.h"
+#include "fit/fit_outlines.h"
 #include "known_curves.h"
 
 namespace inkgrid {

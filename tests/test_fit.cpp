@@ -6,7 +6,7 @@
 #include <random>
 
 #include "drawings.h"
-#include "fit.h"
+#include "fit/fit.h"
 
 namespace inkgrid {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drawings.h"
-#include "flanks.h"
+#include "refine/flanks.h"
 
 namespace inkgrid {
 namespace {

@@ -1,4 +1,4 @@
-#include "folds.h"
+#include "graph/folds.h"
 #include "isoline_checks.h"
 
 namespace inkgrid {

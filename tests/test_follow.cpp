@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "base/polyline.h"
 #include "drawn_bands.h"
-#include "follow.h"
-#include "polyline.h"
+#include "refine/follow.h"
 
 namespace inkgrid {
 namespace {

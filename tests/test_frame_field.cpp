@@ -5,7 +5,7 @@
 #include <random>
 
 #include "drawn_bands.h"
-#include "frame_field.h"
+#include "field/frame_field.h"
 
 namespace inkgrid {
 namespace {

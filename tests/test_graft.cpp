@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "chain_checks.h"
-#include "graft.h"
+#include "scribbles/graft.h"
 
 namespace inkgrid {
 namespace {

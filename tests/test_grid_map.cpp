@@ -9,9 +9,9 @@
 #include <random>
 #include <thread>
 
-#include "cut_shifts.h"
-#include "grid_map.h"
 #include "hand_made_maps.h"
+#include "map/cut_shifts.h"
+#include "map/grid_map.h"
 
 namespace inkgrid {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "drawn_bands.h"
-#include "ink.h"
+#include "ink/ink.h"
 
 namespace inkgrid {
 namespace {

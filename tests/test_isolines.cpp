@@ -2,9 +2,9 @@
 #include <numbers>
 #include <random>
 
+#include "graph/isolines.h"
 #include "inkgrid/inkgrid.h"
 #include "isoline_checks.h"
-#include "isolines.h"
 
 namespace inkgrid {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drawn_bands.h"
-#include "labels.h"
+#include "map/labels.h"
 
 namespace inkgrid {
 namespace {

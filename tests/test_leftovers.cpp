@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "base/polyline.h"
 #include "drawn_bands.h"
-#include "leftovers.h"
-#include "polyline.h"
+#include "refine/leftovers.h"
 
 namespace inkgrid {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "needles.h"
-#include "polyline.h"
+#include "base/polyline.h"
+#include "refine/needles.h"
 
 namespace inkgrid {
 namespace {

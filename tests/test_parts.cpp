@@ -4,11 +4,12 @@
 #include <functional>
 #include <numbers>
 
-#include "assembled.h"
 #include "chain_checks.h"
 #include "drawn_bands.h"
-#include "parts.h"
-#include "window.h"
+#include "pipeline.h"
+#include "scribbles/assembled.h"
+#include "scribbles/parts.h"
+#include "scribbles/window.h"
 
 namespace inkgrid {
 namespace {

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "drawings.h"
-#include "pen_strokes.h"
-#include "threshold.h"
+#include "ink/pen_strokes.h"
+#include "ink/threshold.h"
 
 namespace inkgrid {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
+#include "base/polyline.h"
 #include "drawings.h"
-#include "polyline.h"
 
 namespace inkgrid {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drawn_bands.h"
-#include "preset.h"
+#include "ink/preset.h"
 
 namespace inkgrid {
 namespace {

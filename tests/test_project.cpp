@@ -9,7 +9,7 @@
 #include "drawings.h"
 #include "inkgrid/inkgrid.h"
 #include "options.h"
-#include "project.h"
+#include "project/project.h"
 
 namespace inkgrid {
 namespace {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "chain_checks.h"
-#include "ridge.h"
-#include "slim.h"
+#include "ink/slim.h"
+#include "refine/ridge.h"
 
 namespace inkgrid {
 namespace {

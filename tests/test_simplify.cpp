@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "chain_checks.h"
-#include "simplify.h"
+#include "refine/simplify.h"
 
 namespace inkgrid {
 namespace {

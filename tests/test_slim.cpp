@@ -5,7 +5,7 @@
 #include <random>
 
 #include "drawings.h"
-#include "slim.h"
+#include "ink/slim.h"
 
 namespace inkgrid {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "specks.h"
+#include "ink/specks.h"
 
 namespace inkgrid {
 namespace {

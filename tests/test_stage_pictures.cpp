@@ -9,8 +9,8 @@
 
 #include "drawings.h"
 #include "pictures/canvas.h"
+#include "pictures/stage_pictures.h"
 #include "pictures/streamlines.h"
-#include "stage_pictures.h"
 
 namespace inkgrid {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "chain_checks.h"
-#include "strokes.h"
+#include "refine/strokes.h"
 
 namespace inkgrid {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "drawings.h"
+#include "ink/threshold.h"
 #include "inkgrid/inkgrid.h"
-#include "threshold.h"
 
 namespace inkgrid {
 namespace {

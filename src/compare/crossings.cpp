@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/at.h"
+#include "base/polyline.h"
 #include "inkgrid/inkgrid.h"
-#include "polyline.h"
 
 namespace inkgrid {
 namespace {

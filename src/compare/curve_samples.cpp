@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/polyline.h"
 #include "inkgrid/inkgrid.h"
-#include "polyline.h"
 
 namespace inkgrid {
 namespace {

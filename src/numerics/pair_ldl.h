@@ -1,6 +1,7 @@
 // What:   symmetric positive definite systems with two unknowns a node, as 2 x 2 blocks.
-// Source: sections 6.1 and 6.2, the linear systems of the field and of the map; up-looking factorisation along the elimination
-// tree (Davis 2006, chapter 4). Differs: nothing. Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
+// Source: sections 6.1 and 6.2, the linear systems of the field and of the map.
+// Differs: factorised row by row along the elimination tree (Davis 2006, chapter 4); the paper leaves the solver open.
+// Cost:   one factorisation; a solve costs a pass down and a pass up the factor.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // What:   a painter that makes a PNG file: marks over a lightened copy of the drawing.
 // Source: ours; no third-party header leaves canvas.cpp.
-// Differs: no.
+// Differs: nothing.
 // Cost:   linear in what is drawn; a picture has at most 4000 x 4000 pixels.
 #pragma once
 

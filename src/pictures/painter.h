@@ -1,7 +1,7 @@
 // What:   the marks that pictures of the stages are made of, in the drawing's own coordinates.
 // Source: ours; a picture is drawn once and painted by whoever shows it (PNG files, the studio's layers).
-// Differs: widths and radii are in pixels of the picture, so marks look the same whatever the drawing's size; only a dot grows
-// with it. Cost:   that of who paints.
+// Differs: widths and radii are in pixels of the picture, whatever the drawing's size; only a dot grows with it.
+// Cost:   that of who paints.
 #pragma once
 
 #include <cstdint>

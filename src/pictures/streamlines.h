@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "charts.h"
+#include "map/charts.h"
 
 namespace inkgrid {
 

@@ -1,0 +1,45 @@
+#include "base/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inkgrid {
+
+std::vector<double> lengths_along(const std::vector<Vec2>& path) {
+  std::vector<double> lengths(path.size(), 0);
+  for (std::size_t i = 1; i < path.size(); ++i) lengths[i] = lengths[i - 1] + norm(path[i] - path[i - 1]);
+  return lengths;
+}
+
+Vec2 point_at(const std::vector<Vec2>& path, const std::vector<double>& lengths, double s) {
+  if (s <= 0) return path.front();
+  if (s >= lengths.back()) return path.back();
+  const auto i = static_cast<std::size_t>(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin());
+  const double step = lengths[i] - lengths[i - 1];
+  return step > 0 ? lerp(path[i - 1], path[i], (s - lengths[i - 1]) / step) : path[i];
+}
+
+std::vector<Vec2> resampled(const std::vector<Vec2>& path, double step) {
+  const auto lengths = lengths_along(path);
+  const int n = std::max(1, static_cast<int>(std::lround(lengths.back() / step)));
+  std::vector<Vec2> points{path.front()};
+  for (int k = 1; k < n; ++k) points.push_back(point_at(path, lengths, lengths.back() * k / n));
+  points.push_back(path.back());
+  return points;
+}
+
+Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed) {
+  const int n = static_cast<int>(path.size());
+  const auto at = [&](int i) {
+    if (closed) i = ((i % (n - 1)) + (n - 1)) % (n - 1);
+    return path[static_cast<std::size_t>(std::clamp(i, 0, n - 1))];
+  };
+  if (closed) span = std::min(span, (n - 1) / 4 + 1);
+  for (; span < n; ++span) {
+    const Vec2 t = unit(at(k + span) - at(k - span));
+    if (!(t == Vec2{})) return t;
+  }
+  return {1, 0};
+}
+
+}  // namespace inkgrid

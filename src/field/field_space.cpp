@@ -1,0 +1,54 @@
+#include "field/field_space.h"
+
+#include "base/union_find.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+// The ends of the side of the coarse lattice in whose middle p lies; p itself twice where it is a coarse point.
+std::array<LatticePoint, 2> coarse_points(LatticePoint p) {
+  const int i = p.i & 1, j = p.j & 1;
+  return {LatticePoint{p.i - i, p.j + (i && j ? 1 : -j)}, LatticePoint{p.i + i, p.j + (i && j ? -1 : j)}};
+}
+
+}  // namespace
+
+FieldSpace vertex_space(const BandMesh& mesh) {
+  FieldSpace space;
+  space.size = mesh.vertex_count();
+  for (int v = 0; v < space.size; ++v) space.nodes.push_back({v, v});
+  return space;
+}
+
+FieldSpace coarse_space(const BandMesh& mesh) {
+  if (mesh.lattice.empty()) return vertex_space(mesh);
+  // Vertex v uses two coarse points, numbered 2 v and 2 v + 1.
+  UnionFind same(2 * mesh.vertex_count());
+  const auto unite_equal = [&](int v, int w) {
+    const auto of_v = coarse_points(mesh.lattice[at(v)]), of_w = coarse_points(mesh.lattice[at(w)]);
+    for (int a : {0, 1})
+      for (int b : {0, 1})
+        if (of_v[at(a)] == of_w[at(b)]) same.unite(2 * v + a, 2 * w + b);
+  };
+  for (int v = 0; v < mesh.vertex_count(); ++v) unite_equal(v, v);
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) unite_equal(face[k], face[(k + 1) % 3]);
+  FieldSpace space;
+  std::vector<int> number(2 * mesh.points.size(), -1);
+  const auto node = [&](int use) {
+    int& n = number[at(same.find(use))];
+    if (n < 0) n = space.size++;
+    return n;
+  };
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const int first = node(2 * v);
+    space.nodes.push_back({first, node(2 * v + 1)});
+  }
+  return space;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,33 @@
+// What:   chains to cubic Bezier curves.
+// Source: section 6.3, "Curve fitting".
+// Differs: docs/METHOD.md, "Curve fitting".
+// Cost:   linear in the number of points times the number of tries; curves are fitted on several threads.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graph/chains.h"
+#include "inkgrid/drawing.h"
+
+namespace inkgrid {
+
+struct FitOptions {
+  double tolerance = 1;    // px: no point of a chain is further from its curve
+  double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
+  int threads = 0;         // 0: as many as the machine has
+
+  friend bool operator==(const FitOptions&, const FitOptions&) = default;
+};
+
+// Few cubic segments within the tolerance, but for points that cut a corner (they are left out, and the corner is where its sides
+// meet). Segments are weighed against squared error, so that joints fall where lines turn into arcs.  The end points are
+// interpolated to the last digit; segments share their joints to the last digit; joints that are not corners are smooth (G1,
+// tangents equal to 1e-9); a closed polyline (front == back) gives a closed curve, smooth at its seam unless the seam is a corner
+// (a closed curve's seam is moved to a corner if it has one).
+std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
+
+// `before`: curves fitted with the same options; those whose chain is there again are taken as they are.
+Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before = {});
+
+}  // namespace inkgrid

@@ -1,0 +1,208 @@
+// What:   see image_format.h.
+// Source: the file formats.
+// Differs: see image_format.h.
+// Cost:   see image_format.h.
+#include "images/image_format.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "images/bmp.h"
+#include "images/orientation.h"
+
+namespace inkgrid {
+namespace {
+
+using namespace std::string_view_literals;
+
+// Chunks up to the one that closes the file.
+void walk_png(const Bytes& bytes, ImageHeader& header) {
+  constexpr std::uint32_t per_metre = 1;
+  header.width = bytes.u32(16, true);
+  header.height = bytes.u32(20, true);
+  std::size_t at = 8;
+  for (; !bytes.starts_with("IEND", at + 4); at += std::size_t{12} + bytes.u32(at, true)) {
+    if (bytes.starts_with("pHYs", at + 4) && bytes.u8(at + 16) == per_metre)
+      header.pixels_per_mm = bytes.u32(at + 8, true) / 1000.0;
+    if (bytes.starts_with("eXIf", at + 4)) header.orientation = exif_orientation(bytes, at + 8);
+  }
+  header.whole = at + 12 <= bytes.size();
+}
+
+// Markers up to the one that ends the image; entropy-coded data holds none but restarts.
+void walk_jpeg(const Bytes& bytes, ImageHeader& header) {
+  for (std::size_t at = 2;; ++at) {
+    if (bytes.u8(at) != 0xFF) continue;
+    const std::uint32_t marker = bytes.u8(at + 1);
+    const bool end_of_image = marker == 0xD9, restart_or_start = marker >= 0xD0 && marker <= 0xD8;
+    const bool no_marker = marker == 0x00 || marker == 0x01 || marker == 0xFF;  // a stuffed byte, nothing, filling
+    const bool frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+    if (end_of_image) break;
+    if (no_marker || restart_or_start) continue;
+    if (frame) {
+      header.height = bytes.u16(at + 5, true);
+      header.width = bytes.u16(at + 7, true);
+    }
+    if (marker == 0xE1 && bytes.starts_with("Exif\0\0"sv, at + 4)) header.orientation = exif_orientation(bytes, at + 10);
+    at += 1 + bytes.u16(at + 2, true);
+  }
+  header.whole = true;
+}
+
+// The values of one entry of a TIFF directory.
+std::vector<std::uint32_t> tiff_values(const Bytes& bytes, std::size_t entry, bool big) {
+  const bool is_short = bytes.u16(entry + 2, big) == 3;
+  const std::size_t count = bytes.u32(entry + 4, big), each = is_short ? 2 : 4;
+  const std::size_t from = count * each <= 4 ? entry + 8 : bytes.u32(entry + 8, big);
+  if (from + count * each > bytes.size()) throw std::out_of_range("past the end of the file");
+  std::vector<std::uint32_t> values;
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(is_short ? bytes.u16(from + i * each, big) : bytes.u32(from + i * each, big));
+  return values;
+}
+
+// All strips or tiles of the first picture lie within the file.
+void walk_tiff(const Bytes& bytes, ImageHeader& header) {
+  constexpr std::uint32_t width = 256, height = 257, strip_offsets = 273, strip_sizes = 279, tile_offsets = 324, tile_sizes = 325;
+  constexpr std::uint32_t of_64_bits = 43;
+  const bool big = bytes.u8(0) == 'M';
+  if (bytes.u16(2, big) == of_64_bits) header.unread = "a BigTIFF";
+  const std::size_t directory = bytes.u32(4, big), entries = bytes.u16(directory, big);
+  std::vector<std::uint32_t> offsets, sizes;
+  for (std::size_t i = 0; i < entries; ++i) {
+    const std::size_t entry = directory + 2 + 12 * i;
+    const std::uint32_t tag = bytes.u16(entry, big);
+    if (tag == width) header.width = tiff_values(bytes, entry, big).at(0);
+    if (tag == height) header.height = tiff_values(bytes, entry, big).at(0);
+    if (tag == strip_offsets || tag == tile_offsets) offsets = tiff_values(bytes, entry, big);
+    if (tag == strip_sizes || tag == tile_sizes) sizes = tiff_values(bytes, entry, big);
+  }
+  header.whole = !offsets.empty() && offsets.size() == sizes.size();
+  for (std::size_t i = 0; header.whole && i < offsets.size(); ++i)
+    header.whole = sizes[i] > 0 && std::size_t{offsets[i]} + sizes[i] <= bytes.size();
+}
+
+void walk_webp(const Bytes& bytes, ImageHeader& header) {
+  constexpr std::uint32_t animated = 2;
+  const std::size_t size = std::size_t{8} + bytes.u32(4, false);
+  if (bytes.starts_with("VP8X", 12)) {
+    if (bytes.u8(20) & animated) header.unread = "an animated WebP";
+    for (std::size_t at = 12, length; at + 8 <= std::min(size, bytes.size()); at += 8 + length + length % 2) {
+      length = bytes.u32(at + 4, false);
+      if (bytes.starts_with("EXIF", at)) header.orientation = exif_orientation(bytes, at + 8);
+    }
+    header.width = 1 + static_cast<long>(bytes.u32(24, false) & 0xFFFFFF);
+    header.height = 1 + static_cast<long>(bytes.u32(27, false) & 0xFFFFFF);
+  } else if (bytes.starts_with("VP8L", 12)) {
+    header.width = 1 + static_cast<long>(bytes.u32(21, false) & 0x3FFF);
+    header.height = 1 + static_cast<long>(bytes.u32(21, false) >> 14 & 0x3FFF);
+  } else {
+    header.width = bytes.u16(26, false) & 0x3FFF;
+    header.height = bytes.u16(28, false) & 0x3FFF;
+  }
+  header.whole = size <= bytes.size();
+}
+
+void walk_bmp(const Bytes& bytes, ImageHeader& header) {
+  const BmpHeader bmp = bmp_header(bytes);
+  header.width = bmp.width;
+  header.height = bmp.height;
+  if (!bmp.readable) header.unread = "a compressed BMP";
+  // Where runs end is seen when they are read.
+  const std::size_t least = bmp.in_runs ? 2 : bmp.row_bytes * static_cast<std::size_t>(bmp.height);
+  header.whole = bmp.pixels_at + least <= bytes.size();
+}
+
+bool is_space(std::uint32_t c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+// Moves `at` to the next character that is neither white nor in a comment.
+void skip_pnm_space(const Bytes& bytes, std::size_t& at) {
+  for (; is_space(bytes.u8(at)) || bytes.u8(at) == '#'; ++at)
+    if (bytes.u8(at) == '#')
+      while (bytes.u8(at) != '\n') ++at;
+}
+
+long pnm_number(const Bytes& bytes, std::size_t& at) {
+  skip_pnm_space(bytes, at);
+  long value = 0;
+  for (; at < bytes.size() && bytes.u8(at) >= '0' && bytes.u8(at) <= '9'; ++at)
+    value = std::min(10 * value + static_cast<long>(bytes.u8(at) - '0'), 1'000'000'000L);
+  return value;
+}
+
+// Behind the header of a PNM in text: `samples` numbers, or digits that may stand side by side.
+bool has_numbers(const Bytes& bytes, std::size_t at, std::size_t samples, bool digits) {
+  for (; samples > 0; --samples) {
+    skip_pnm_space(bytes, at);
+    if (bytes.u8(at) < '0' || bytes.u8(at) > '9') return false;
+    if (digits)
+      ++at;
+    else
+      pnm_number(bytes, at);
+  }
+  return true;
+}
+
+void walk_pnm(const Bytes& bytes, ImageHeader& header) {
+  const char kind = static_cast<char>(bytes.u8(1));
+  const bool bitmap = kind == '1' || kind == '4', text = kind <= '3';
+  std::size_t at = 2;
+  header.width = pnm_number(bytes, at);
+  header.height = pnm_number(bytes, at);
+  const long most = bitmap ? 1 : pnm_number(bytes, at);
+  const std::size_t channels = kind == '3' || kind == '6' ? 3 : 1, row = static_cast<std::size_t>(header.width) * channels;
+  const std::size_t row_bytes = bitmap ? (row + 7) / 8 : row * (most > 255 ? 2 : 1),
+                    rows = static_cast<std::size_t>(header.height);
+  header.whole = text ? has_numbers(bytes, at, row * rows, bitmap) : at + 1 + row_bytes * rows <= bytes.size();
+}
+
+}  // namespace
+
+std::optional<ImageFormat> format_of(std::span<const char> span) {
+  const Bytes bytes(span);
+  if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::png;
+  if (bytes.starts_with("\xff\xd8\xff")) return ImageFormat::jpeg;
+  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
+      bytes.starts_with("MM\0+"sv))
+    return ImageFormat::tiff;
+  if (bytes.starts_with("RIFF") && bytes.starts_with("WEBP", 8)) return ImageFormat::webp;
+  if (bytes.starts_with("BM")) return ImageFormat::bmp;
+  if (bytes.size() > 2 && bytes.u8(0) == 'P' && bytes.u8(1) >= '1' && bytes.u8(1) <= '6') return ImageFormat::pnm;
+  return std::nullopt;
+}
+
+ImageHeader header_of(ImageFormat format, std::span<const char> bytes) {
+  ImageHeader header;
+  try {
+    switch (format) {
+      case ImageFormat::png:
+        walk_png(Bytes(bytes), header);
+        break;
+      case ImageFormat::jpeg:
+        walk_jpeg(Bytes(bytes), header);
+        break;
+      case ImageFormat::tiff:
+        walk_tiff(Bytes(bytes), header);
+        break;
+      case ImageFormat::webp:
+        walk_webp(Bytes(bytes), header);
+        break;
+      case ImageFormat::bmp:
+        walk_bmp(Bytes(bytes), header);
+        break;
+      case ImageFormat::pnm:
+        walk_pnm(Bytes(bytes), header);
+        break;
+    }
+  } catch (const std::out_of_range&) {
+    header.whole = false;
+  }
+  return header;
+}
+
+}  // namespace inkgrid

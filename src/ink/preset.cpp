@@ -1,0 +1,74 @@
+#include "ink/preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace inkgrid {
+namespace {
+
+constexpr double kSpreadOpacity = 0.05;
+constexpr double kManySlits = 0.03;
+constexpr double kUnevenWidth = 0.5;
+constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
+constexpr double kSlitRadius = 0.3;   // strokes
+constexpr double kFinePen = 4;        // px: a slimmer pen has no details below its width that pixels show
+constexpr double kFinest = 0.5;
+constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
+
+// The rim of a stroke is grey for other reasons.
+double opacity_spread(const Ink& ink) {
+  double sum = 0, squares = 0;
+  long count = 0;
+  for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
+    if (ink.depth.data[i] < 2) continue;
+    const double dark = static_cast<double>(ink.darkness.data[i]);
+    sum += dark;
+    squares += dark * dark;
+    ++count;
+  }
+  if (count == 0) return 0;
+  const double mean = sum / static_cast<double>(count);
+  return std::sqrt(std::max(0.0, squares / static_cast<double>(count) - mean * mean));
+}
+
+double slit_share(const Ink& ink) {
+  const auto closed = closed_ink(ink, kSlitRadius * ink.stroke_width);
+  long slits = 0;
+  for (std::size_t i = 0; i < closed.data.size(); ++i) slits += closed.data[i] && !ink.mask.data[i];
+  return static_cast<double>(slits) / static_cast<double>(ink.pixels);
+}
+
+double width_spread(const Ink& ink) {
+  std::vector<int> depths;
+  for (int y = 0; y < ink.height(); ++y)
+    for (int x = 0; x < ink.width(); ++x)
+      if (ink.mask(x, y) && ink.centre_distance(x, y) == 0) depths.push_back(ink.depth(x, y));
+  if (depths.empty()) return 0;
+  std::sort(depths.begin(), depths.end());
+  return 2.0 * (depths[depths.size() * 9 / 10] - depths[depths.size() / 10]) / ink.stroke_width;
+}
+
+}  // namespace
+
+Sketchiness measure_sketchiness(const Ink& ink) {
+  if (ink.pixels == 0) return {};
+  return {opacity_spread(ink), slit_share(ink), width_spread(ink)};
+}
+
+Preset choose_preset(Preset given, const Ink& ink) {
+  if (given != Preset::automatic) return given;
+  const Sketchiness s = measure_sketchiness(ink);
+  const bool overdrawn = s.slits > kManySlits && s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
+  const bool rough = s.opacity_spread > kSpreadOpacity || overdrawn;
+  return rough ? Preset::rough : Preset::clean;
+}
+
+PresetValues preset_values(Preset preset, double stroke_width) {
+  const double gap = std::min(1.0, kWidestGap / stroke_width);
+  if (preset == Preset::rough) return {0.45, 1.5, gap};
+  const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
+  return {0.3 * std::min(fineness, std::max(kFinest, stroke_width / kFinePen)), 0.7 * fineness, gap};
+}
+
+}  // namespace inkgrid

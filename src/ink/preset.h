@@ -1,0 +1,34 @@
+// What:   whether a drawing is clean or over-sketched, and the reach and spacing that follow.
+// Source: section 5 and section 7, "Simplification control", where a person chooses; the choice from the drawing is ours.
+// Differs: docs/METHOD.md, "Presets".
+// Cost:   a few passes over the pixels.
+#pragma once
+
+#include "ink/ink.h"
+#include "inkgrid/options.h"
+
+namespace inkgrid {
+
+// What the choice rests on.
+struct Sketchiness {
+  double opacity_spread = 0;  // standard deviation of the darkness inside the strokes: overdrawn strokes differ
+  double slits = 0;           // paper between strokes closer than 0.6 stroke widths, over the ink
+  double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes
+};
+
+Sketchiness measure_sketchiness(const Ink& ink);
+
+// Preset::clean or Preset::rough; a given one is kept.
+Preset choose_preset(Preset given, const Ink& ink);
+
+struct PresetValues {
+  double reach;    // beta, strokes
+  double spacing;  // lambda, strokes
+  double gap;      // of paper that is bridged between ends in line, strokes: pictures break strokes by a few pixels
+};
+
+// For clean drawings both follow the pen: down to half of what a pen of a few pixels is given, so that details smaller than the
+// pen are resolved.
+PresetValues preset_values(Preset preset, double stroke_width);
+
+}  // namespace inkgrid

@@ -1,0 +1,158 @@
+#include "ink/slim.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace inkgrid {
+namespace {
+
+constexpr double kCellOfPen = 0.7;  // a grid cell is never less of the pen's width
+constexpr float kSideRise = 0.75F;  // of the depth from a pixel to the next, px: less than 1 on the middle of a stroke alone
+constexpr float kDiagonalRise = 1.06F;
+constexpr double kThin = 0.7;    // of the usual width: strokes above it count as usual
+constexpr int kDepthLevels = 4;  // a pixel, when pixels are sorted by their depth
+
+// Euclidean distance from the middle of each ink pixel to the rim, px.  What lies on the image's border goes on beyond it.
+Raster<float> depth_of(const Raster<std::uint8_t>& mask) {
+  Raster<std::uint8_t> paper(mask.width, mask.height);
+  std::transform(mask.data.begin(), mask.data.end(), paper.data.begin(), [](std::uint8_t m) -> std::uint8_t { return !m; });
+  Raster<float> depth = distance_to(paper);
+  for (float& d : depth.data)
+    if (d > 0) d = std::max(0.0F, d - 0.5F);
+  return depth;
+}
+
+// Whether the depth stops rising here as it does from a rim: the middle of a disc that no neighbour's holds, but for pixels.
+bool is_middle(const Raster<float>& depth, int x, int y) {
+  if (depth(x, y) <= 0) return false;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (depth.contains(x + dx, y + dy) && depth(x + dx, y + dy) > depth(x, y) + (dx && dy ? kDiagonalRise : kSideRise))
+        return false;
+  return true;
+}
+
+// A pixel wider than the disc, so that the pixels of the rim are in it too.
+void raise_disc(Raster<float>& thickness, int cx, int cy, float radius) {
+  const float reach = radius + 1;
+  const int r = static_cast<int>(reach);
+  for (int y = std::max(0, cy - r); y <= std::min(thickness.height - 1, cy + r); ++y) {
+    const int half = static_cast<int>(std::sqrt(std::max(0.0F, reach * reach - static_cast<float>((y - cy) * (y - cy)))));
+    for (int x = std::max(0, cx - half); x <= std::min(thickness.width - 1, cx + half); ++x)
+      thickness(x, y) = std::max(thickness(x, y), radius);
+  }
+}
+
+// The largest value of the ink within two pixels: pixels of a rough rim that no large disc happened to hold are not thin strokes.
+Raster<float> widened(const Raster<float>& values) {
+  Raster<float> out(values.width, values.height);
+  for (int y = 0; y < values.height; ++y)
+    for (int x = 0; x < values.width; ++x)
+      for (int dy = -2; dy <= 2 && values(x, y) > 0; ++dy)
+        for (int dx = -2; dx <= 2; ++dx)
+          if (values.contains(x + dx, y + dy)) out(x, y) = std::max(out(x, y), values(x + dx, y + dy));
+  return out;
+}
+
+// The radius of the largest disc of ink that holds each pixel (the local thickness of Hildebrand and Rueegsegger, 1997), px.
+Raster<float> thickness_of(const Raster<float>& depth) {
+  Raster<float> thickness = depth;
+  for (int y = 0; y < depth.height; ++y)
+    for (int x = 0; x < depth.width; ++x)
+      if (is_middle(depth, x, y)) raise_disc(thickness, x, y, depth(x, y));
+  return widened(thickness);
+}
+
+// Half the width of most strokes, px: the median over their length, which is their area over their width.
+double usual_radius(const Raster<float>& depth, const Raster<float>& thickness) {
+  std::vector<std::pair<float, double>> strokes;
+  double length = 0;
+  for (std::size_t i = 0; i < depth.data.size(); ++i) {
+    if (depth.data[i] <= 0 || 2 * depth.data[i] < thickness.data[i]) continue;
+    strokes.emplace_back(thickness.data[i], 1 / static_cast<double>(thickness.data[i]));
+    length += strokes.back().second;
+  }
+  std::sort(strokes.begin(), strokes.end());
+  std::size_t k = 0;
+  for (double before = strokes[0].second; before < 0.5 * length && k + 1 < strokes.size(); before += strokes[k].second) ++k;
+  return static_cast<double>(strokes[k].first);
+}
+
+// How far the rim moves inwards where strokes have this radius, px.
+double retreat(double radius, double usual, double share) {
+  if (radius > 2 * usual) return radius - share * usual;
+  return (1 - share) * (radius < kThin * usual ? radius : usual);
+}
+
+// Whether the ink around a pixel hangs together without it and paper touches it: ink over corners, paper over sides.
+bool is_simple(const Raster<std::uint8_t>& mask, int x, int y) {
+  constexpr std::array<std::array<int, 2>, 9> kRing{
+      {{1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, 1}, {1, 1}, {1, 0}}};
+  std::array<bool, 9> paper;
+  for (std::size_t k = 0; k < kRing.size(); ++k)
+    paper[k] = !mask(std::clamp(x + kRing[k][0], 0, mask.width - 1), std::clamp(y + kRing[k][1], 0, mask.height - 1));
+  int connections = 0;
+  for (std::size_t k = 0; k < 8; k += 2) connections += paper[k] && !(paper[k + 1] && paper[k + 2]);
+  return connections == 1;
+}
+
+// Takes away from the rim inwards the pixels whose level is not above 0, as long as nothing breaks, vanishes or opens.
+void peel(Raster<std::uint8_t>& mask, const Raster<float>& level, const Raster<float>& depth) {
+  std::vector<std::vector<std::size_t>> by_depth;
+  for (std::size_t i = 0; i < mask.data.size(); ++i) {
+    if (!mask.data[i] || level.data[i] > 0) continue;
+    const auto d = static_cast<std::size_t>(kDepthLevels * static_cast<double>(depth.data[i]));
+    if (by_depth.size() <= d) by_depth.resize(d + 1);
+    by_depth[d].push_back(i);
+  }
+  const auto width = static_cast<std::size_t>(mask.width);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto& layer : by_depth)
+      std::erase_if(layer, [&](std::size_t i) {
+        if (!is_simple(mask, static_cast<int>(i % width), static_cast<int>(i / width))) return false;
+        mask.data[i] = 0;
+        return changed = true;
+      });
+  }
+}
+
+// Slims the strokes; what is left of the ink above the new rim, px, and below it less than 0.
+Raster<float> peeled(Raster<std::uint8_t>& mask, double share) {
+  const Raster<float> depth = depth_of(mask);
+  Raster<float> level = thickness_of(depth);
+  const double usual = usual_radius(depth, level);
+  for (std::size_t i = 0; i < level.data.size(); ++i)
+    if (mask.data[i])
+      level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(level.data[i]), usual, share));
+  peel(mask, level, depth);
+  return level;
+}
+
+}  // namespace
+
+double slim_share(double spacing) {
+  return std::min(1.0, spacing / kCellOfPen);
+}
+
+bool is_slimmed(const Ink& ink, double share) {
+  const bool solid = ink.pixels == static_cast<long>(ink.mask.data.size());
+  return share < 1 && ink.pixels > 0 && !solid;
+}
+
+Ink slim_ink(const Ink& ink, double share) {
+  if (!is_slimmed(ink, share)) return ink;
+  Binarisation slim{ink.mask, {}, ink.threshold, ink.inverted};
+  slim.darkness = peeled(slim.ink, share);
+  for (std::size_t i = 0; i < slim.darkness.data.size(); ++i) {
+    float& dark = slim.darkness.data[i];
+    if (ink.mask.data[i])
+      dark = slim.ink.data[i] ? std::clamp(dark + 0.5F, 0.5F, 1.0F) : std::clamp(dark + 0.5F, 0.0F, 0.5F);
+    else if (dark != 0)
+      dark = 0;
+  }
+  return measure_ink(std::move(slim));
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,21 @@
+// What:   strokes made slimmer where the grid is finer than the pen, so that details smaller than the pen fit the grid.
+// Source: ours; the paper ties its grid, mesh and band to the pen of the drawing (sections 5 and 6.2).
+// Differs: docs/METHOD.md, "Slimmer strokes".
+// Cost:   linear in the pixels, and in the ink times the stroke width.
+#pragma once
+
+#include "ink/ink.h"
+
+namespace inkgrid {
+
+// By how much strokes are to be slimmed for a grid spacing in strokes: 1 keeps them.
+double slim_share(double spacing);
+
+// The same drawing with a pen of `share` (0..1] of the width.  Strokes keep their middles, ends and connections: paper is won
+// from the rim inwards, never through.  Strokes more than twice as wide as the pen become as slim as the others.
+Ink slim_ink(const Ink& ink, double share);
+
+// Whether slim_ink changes anything.
+bool is_slimmed(const Ink& ink, double share);
+
+}  // namespace inkgrid

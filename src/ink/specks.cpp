@@ -1,0 +1,89 @@
+#include "ink/specks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/at.h"
+#include "base/union_find.h"
+#include "ink/pen_strokes.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr int kLargest = 100;     // px^2, of paper that shows through
+constexpr float kDepthOfInk = 3;  // times the width of the speck, around it
+
+// Pixels x0 .. x1 - 1 of a row, all of them paper.
+struct Run {
+  int y, x0, x1;
+};
+
+std::vector<Run> runs_of_paper(const Raster<std::uint8_t>& ink) {
+  std::vector<Run> runs;
+  for (int y = 0; y < ink.height; ++y) {
+    const std::uint8_t* const row = &ink.data[ink.index(0, y)];
+    for (int x = 0; x < ink.width;) {
+      const int first = static_cast<int>(std::find(row + x, row + ink.width, 0) - row);
+      x = static_cast<int>(std::find_if(row + first, row + ink.width, [](auto pixel) { return pixel != 0; }) - row);
+      if (first < x) runs.push_back({y, first, x});
+    }
+  }
+  return runs;
+}
+
+// Joins the runs of neighbouring rows that touch, corners included.
+UnionFind joined(const std::vector<Run>& runs) {
+  const int count = static_cast<int>(runs.size());
+  UnionFind pieces(count);
+  for (int above = 0, i = 0; i < count; ++i) {
+    const Run& run = at(runs, i);
+    while (at(runs, above).y < run.y - 1 || (at(runs, above).y == run.y - 1 && at(runs, above).x1 < run.x0)) ++above;
+    for (int k = above; at(runs, k).y == run.y - 1 && at(runs, k).x0 <= run.x1; ++k) pieces.unite(k, i);
+  }
+  return pieces;
+}
+
+struct Speck {
+  int size = 0;             // px^2
+  std::vector<Run> runs{};  // of small ones
+};
+
+std::vector<Speck> specks_in(const Raster<std::uint8_t>& ink) {
+  const std::vector<Run> runs = runs_of_paper(ink);
+  UnionFind pieces = joined(runs);
+  std::vector<Speck> specks(runs.size());
+  for (int i = 0; i < static_cast<int>(runs.size()); ++i) at(specks, pieces.find(i)).size += at(runs, i).x1 - at(runs, i).x0;
+  for (int i = 0; i < static_cast<int>(runs.size()); ++i)
+    if (Speck& speck = at(specks, pieces.find(i)); speck.size <= kLargest) speck.runs.push_back(at(runs, i));
+  std::erase_if(specks, [](const Speck& speck) { return speck.runs.empty(); });
+  return specks;
+}
+
+void paint(const Speck& speck, std::uint8_t value, Raster<std::uint8_t>& ink) {
+  for (const Run& run : speck.runs)
+    std::fill(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.x0, run.y)),
+              ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.x1, run.y)), value);
+}
+
+float greatest(const Raster<float>& depth, const Speck& speck) {
+  float most = 0;
+  for (const Run& run : speck.runs)
+    for (int x = run.x0; x < run.x1; ++x) most = std::max(most, depth(x, run.y));
+  return most;
+}
+
+}  // namespace
+
+Raster<std::uint8_t> close_specks(const Raster<std::uint8_t>& ink) {
+  Raster<std::uint8_t> closed = ink;
+  const std::vector<Speck> specks = specks_in(ink);
+  if (specks.empty()) return closed;
+  for (const Speck& speck : specks) paint(speck, 1, closed);
+  const Raster<float> depth = depth_of(closed);
+  for (const Speck& speck : specks)
+    if (greatest(depth, speck) <= kDepthOfInk * std::sqrt(static_cast<float>(speck.size))) paint(speck, 0, closed);
+  return closed;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,26 @@
+// What:   stroke pixels of a grey drawing.
+// Source: section 5, first paragraph (a manual threshold); `auto` is ours.
+// Differs: docs/METHOD.md, "Threshold".
+// Cost:   a few passes over the pixels.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/raster.h"
+#include "inkgrid/image.h"
+
+namespace inkgrid {
+
+struct Binarisation {
+  Raster<std::uint8_t> ink;  // 1: stroke pixel
+  Raster<float> darkness;  // 0: paper, 1: full ink; light and shade of the paper divided out, light-on-dark drawings turned over
+  double threshold = 0;    // grey level below which a pixel of the image is ink; the mean one where it varies
+  bool inverted = false;   // light lines on dark paper
+};
+
+// With a number (0..255): ink is exactly grey < threshold, nothing inverted or removed.  Without: copes with clean and
+// antialiased ink, pencil, cream, shaded and grainy paper, pure black-and-white, light lines on dark.
+Binarisation binarise(const Image& image, std::optional<double> threshold);
+
+}  // namespace inkgrid

@@ -1,0 +1,143 @@
+#include "refine/arrival.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace inkgrid {
+namespace {
+
+constexpr double kLongest = 4;        // strokes of which the line is told
+constexpr double kShrink = 0.7;       // of the length that no parabola explained
+constexpr double kBent = 0.35;        // strokes: beside what is not confirmed the ridge is bent by it
+constexpr double kStraight = 0.02;    // strokes: lesser sagittas are straight
+constexpr double kNoise = 0.2;        // px, of points from a parabola
+constexpr double kUnsure = 6;         // strokes that may have paper on one side only, as beside the other arm of a fork
+constexpr double kStraightOn = 0.94;  // cosine of 20 degrees: how straight such a part is
+constexpr double kParallel = 0.05;    // sine
+
+struct Sample {
+  double x, y, weight;
+};
+
+// Least squares of y = c0 + c1 x + c2 x^2, or without the last term.
+std::array<double, 3> fitted_parabola(const std::vector<Sample>& samples, bool straight) {
+  std::array<double, 5> power{};
+  std::array<double, 3> right{};
+  for (const auto& s : samples) {
+    double x = s.weight;
+    for (std::size_t k = 0; k < 5; ++k, x *= s.x) {
+      power[k] += x;
+      if (k < 3) right[k] += x * s.y;
+    }
+  }
+  const double line = power[0] * power[2] - power[1] * power[1];
+  if (straight)
+    return {(power[2] * right[0] - power[1] * right[1]) / line, (power[0] * right[1] - power[1] * right[0]) / line, 0};
+  const double a = power[2] * power[4] - power[3] * power[3], b = power[2] * power[3] - power[1] * power[4],
+               c = power[1] * power[3] - power[2] * power[2], d = power[0] * power[4] - power[2] * power[2],
+               e = power[1] * power[2] - power[0] * power[3];
+  const double whole = power[0] * a + power[1] * b + power[2] * c;
+  return {(a * right[0] + b * right[1] + c * right[2]) / whole, (b * right[0] + d * right[1] + e * right[2]) / whole,
+          (c * right[0] + e * right[1] + line * right[2]) / whole};
+}
+
+double spread_about(const std::vector<Sample>& samples, const std::array<double, 3>& curve) {
+  double sum = 0, weight = 0;
+  for (const auto& s : samples) {
+    const double off = s.y - curve[0] - s.x * (curve[1] + s.x * curve[2]);
+    sum += s.weight * off * off;
+    weight += s.weight;
+  }
+  return std::sqrt(sum / weight);
+}
+
+// Coordinates along `axis` from `origin`, of the confirmed points.
+std::vector<Sample> samples_of(const RidgeChain& ridge, int k, int far, int step, Vec2 origin, Vec2 axis) {
+  std::vector<Sample> samples;
+  for (int i = k; i != far + step; i += step) {
+    const auto at = static_cast<std::size_t>(i);
+    const Vec2 p = ridge.chain.points[at] - origin;
+    if (ridge.sections[at].weight > 0) samples.push_back({dot(p, axis), cross(axis, p), ridge.sections[at].weight});
+  }
+  return samples;
+}
+
+}  // namespace
+
+namespace {
+
+// A chain seen from one of its ends, or from a place on it.
+class View {
+ public:
+  View(const RidgeChain& ridge, int first, bool forward)
+      : ridge_(ridge), first_(first), step_(forward ? 1 : -1), width_(std::max(2.0, ridge.chain.width)) {}
+
+  Arrival arrival() const {
+    int k = first_;
+    while (inside(k) && weight(k) <= 0) k += step_;
+    if (!inside(k + 2 * step_)) return {};
+    int sure = k;
+    while (inside(sure) && weight(sure) < 1 && norm(at(sure) - at(k)) < kUnsure * width_) sure += step_;
+    if (sure == k || !inside(sure + 2 * step_) || weight(sure) < 1) return line_from(k);
+    const Arrival sure_line = line_from(sure);
+    const bool straight = dot(sure_line.direction, unit(at(k) - at(sure))) > kStraightOn;
+    return straight ? sure_line : line_from(k);
+  }
+
+ private:
+  Vec2 at(int k) const { return ridge_.chain.points[static_cast<std::size_t>(k)]; }
+  double weight(int k) const { return ridge_.sections[static_cast<std::size_t>(k)].weight; }
+  bool inside(int k) const { return k >= 0 && k < static_cast<int>(ridge_.chain.points.size()); }
+
+  int within(int from, double span) const {
+    int far = from + step_;
+    while (inside(far + step_) && norm(at(far) - at(from)) < span) far += step_;
+    return far;
+  }
+
+  Arrival line_from(int last) const {
+    const int bent = within(last, kBent * width_), from = inside(bent + 2 * step_) ? bent : last;
+    Arrival arrival{true, at(last), {}, std::abs(last - first_)};
+    for (double span = kLongest * width_;; span *= kShrink) {
+      const bool shortest = span <= width_;
+      const int far = within(from, std::max(span, width_));
+      const Vec2 axis = unit(at(last) - at(far));
+      arrival.direction = axis;
+      const auto samples = samples_of(ridge_, from, far, step_, at(last), axis);
+      if (samples.size() < 5) return arrival;
+      const double length = samples.front().x - samples.back().x, noise = kStraight * width_ + kNoise;
+      auto curve = fitted_parabola(samples, false);
+      if (!shortest && spread_about(samples, curve) > noise) continue;
+      if (shortest || std::abs(curve[2]) * length * length / 4 < noise) curve = fitted_parabola(samples, true);
+      arrival.point += curve[0] * quarter_turn(axis);
+      arrival.direction = unit(axis + curve[1] * quarter_turn(axis));
+      return arrival;
+    }
+  }
+
+  const RidgeChain& ridge_;
+  int first_;
+  int step_;
+  double width_;
+};
+
+}  // namespace
+
+Arrival arrival_from(const RidgeChain& ridge, int first, bool forward) {
+  return View(ridge, first, forward).arrival();
+}
+
+Arrival arrival_at(const RidgeChain& ridge, bool at_start) {
+  return arrival_from(ridge, at_start ? 0 : static_cast<int>(ridge.chain.points.size()) - 1, at_start);
+}
+
+std::optional<Vec2> meeting_of(const Arrival& a, const Arrival& b, double passed) {
+  const double sine = cross(a.direction, b.direction);
+  if (!a.known || !b.known || std::abs(sine) < kParallel) return std::nullopt;
+  const double ahead = cross(b.point - a.point, b.direction) / sine, ahead_b = cross(b.point - a.point, a.direction) / sine;
+  if (std::min(ahead, ahead_b) < -passed) return std::nullopt;
+  return a.point + ahead * a.direction;
+}
+
+}  // namespace inkgrid

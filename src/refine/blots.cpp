@@ -1,0 +1,332 @@
+#include "refine/blots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/polyline.h"
+#include "base/union_find.h"
+#include "refine/arrival.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr double kIsolated = 0.5;   // strokes: confirmed parts shorter than this between others that are not are none
+constexpr double kStubby = 1.2;     // widths: what is shorter is no stroke of its own
+constexpr double kTip = 0.25;       // widths at a free end that are not believed
+constexpr double kMiss = 0.25;      // strokes by which a line may miss the point where the others meet
+constexpr double kSlant = 0.08;     // the same for each px of the way there
+constexpr double kPassed = 0.5;     // strokes by which an arm may have passed it
+constexpr double kWider = 0.15;     // half of what ink may be wider than a pen without a doubt, pens
+constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
+constexpr double kPaper = 1;        // px of paper that rough rims may leave on the way
+constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
+
+// Points [from, to) of a chain that the ink does not confirm.
+struct Run {
+  int chain, from, to;
+  int blot = -1;
+};
+
+// Where a stroke runs into a blot.
+struct Arm {
+  int run;
+  bool before;  // whether the stroke lies before the run, along the chain
+  Arrival arrival;
+};
+
+std::vector<std::uint8_t> confirmed_points(const RidgeChain& ridge, double isolated) {
+  const auto& points = ridge.chain.points;
+  const auto lengths = lengths_along(points);
+  std::vector<std::uint8_t> confirmed(points.size(), 0);
+  if (lengths.back() < kStubby * ridge.chain.width && !ridge.chain.closed) return confirmed;
+  const double shortest = std::min(isolated, 0.9 * lengths.back());
+  for (std::size_t k = 0; k < points.size();) {
+    std::size_t end = k;
+    while (end < points.size() && ridge.sections[end].weight == 1) ++end;
+    if (end > k && lengths[end - 1] - lengths[k] >= shortest)
+      std::fill(confirmed.begin() + static_cast<std::ptrdiff_t>(k), confirmed.begin() + static_cast<std::ptrdiff_t>(end),
+                std::uint8_t{1});
+    k = std::max(end, k + 1);
+  }
+  // A free end is where its stroke may run into a blot.
+  if (ridge.chain.closed) return confirmed;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if ((ridge.chain.start_junction < 0 && lengths[k] <= kTip * ridge.chain.width) ||
+        (ridge.chain.end_junction < 0 && lengths.back() - lengths[k] <= kTip * ridge.chain.width))
+      confirmed[k] = 0;
+  return confirmed;
+}
+
+class Blotter {
+ public:
+  // Blots of the junctions from number `settled` on stay.
+  Blotter(Blots blots, std::size_t settled, double isolated, const Ink& ink, const Raster<std::uint8_t>& drawn,
+          const BlotOptions& options)
+      : ridges_(std::move(blots.ridges)),
+        junctions_(std::move(blots.junctions)),
+        settled_(settled),
+        isolated_(isolated),
+        ink_(ink),
+        drawn_(drawn),
+        options_(options) {
+    find_runs();
+    unite_runs();
+    find_arms();
+  }
+
+  Blots meet() {
+    std::vector<int> target(blots_.size(), -1);
+    for (std::size_t b = 0; b < blots_.size(); ++b)
+      if (const auto point = blots_[b].size() >= 3 && !stays_[b] ? meeting_point(blots_[b]) : std::nullopt) {
+        target[b] = static_cast<int>(junctions_.size());
+        junctions_.push_back(*point);
+      }
+    for (std::size_t b = 0; b < blots_.size(); ++b)
+      if (target[b] < 0 && !stays_[b]) target[b] = junction_beside(blots_[b]);
+    std::vector<RidgeChain> result;
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) split(c, target, result);
+    return {std::move(result), std::move(junctions_)};
+  }
+
+ private:
+  const RidgeChain& ridge(int c) const { return ridges_[static_cast<std::size_t>(c)]; }
+  Run& run(int r) { return runs_[static_cast<std::size_t>(r)]; }
+  const Run& run(int r) const { return runs_[static_cast<std::size_t>(r)]; }
+  int size(int c) const { return static_cast<int>(ridge(c).chain.points.size()); }
+
+  void find_runs() {
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
+      const auto confirmed = confirmed_points(ridge(c), isolated_);
+      run_of_.emplace_back(confirmed.size(), -1);
+      for (int k = 0; k < size(c);) {
+        int end = k;
+        while (end < size(c) && !confirmed[static_cast<std::size_t>(end)])
+          run_of_.back()[static_cast<std::size_t>(end++)] = static_cast<int>(runs_.size());
+        if (end > k) runs_.push_back({c, k, end});
+        k = std::max(end, k + 1);
+      }
+    }
+  }
+
+  // Runs that share a junction, or own ink that touches, lie in one blot.
+  void unite_runs() {
+    const int count = static_cast<int>(runs_.size());
+    UnionFind groups(count + static_cast<int>(junctions_.size()));
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
+      for (const bool at_start : {true, false}) {
+        const int r = at_start ? run_of_[static_cast<std::size_t>(c)].front() : run_of_[static_cast<std::size_t>(c)].back();
+        const int j = at_start ? ridge(c).chain.start_junction : ridge(c).chain.end_junction;
+        if (r >= 0 && j >= 0) groups.unite(r, count + j);
+        if (r >= 0 && ridge(c).chain.closed && at_start && run_of_[static_cast<std::size_t>(c)].back() >= 0)
+          groups.unite(r, run_of_[static_cast<std::size_t>(c)].back());
+      }
+    std::vector<Chain> chains;
+    for (const auto& ridge : ridges_) chains.push_back(ridge.chain);
+    const double rim = std::max(0.0, 0.5 * (options_.pen - ink_.stroke_width));
+    const Ownership ownership = assign_ink(chains, ink_, options_.bridge + rim);
+    const auto run_at = [&](int x, int y) {
+      if (!drawn_.contains(x, y) || !drawn_(x, y)) return -1;
+      const int owner = ownership.owner(x, y);
+      if (owner < 0) return -1;
+      const auto s = ownership.samples[static_cast<std::size_t>(owner)];
+      return run_of_[static_cast<std::size_t>(s.chain)][static_cast<std::size_t>(s.point)];
+    };
+    for (int y = 0; y < ink_.height(); ++y)
+      for (int x = 0; x < ink_.width(); ++x) {
+        const int r = run_at(x, y);
+        if (r < 0) continue;
+        for (const int other : {run_at(x + 1, y), run_at(x, y + 1)})
+          if (other >= 0) groups.unite(r, other);
+      }
+    number_blots(groups);
+  }
+
+  void number_blots(UnionFind& groups) {
+    std::vector<int> number(runs_.size() + junctions_.size(), -1);
+    for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
+      int& n = number[static_cast<std::size_t>(groups.find(r))];
+      if (n < 0) {
+        n = static_cast<int>(blots_.size());
+        blots_.emplace_back();
+      }
+      run(r).blot = n;
+    }
+    stays_.assign(blots_.size(), 0);
+    for (std::size_t j = settled_; j < junctions_.size(); ++j) {
+      const int n = number[static_cast<std::size_t>(groups.find(static_cast<int>(runs_.size() + j)))];
+      if (n >= 0) stays_[static_cast<std::size_t>(n)] = 1;
+    }
+  }
+
+  void find_arms() {
+    for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
+      const Run& here = run(r);
+      auto& arms = blots_[static_cast<std::size_t>(here.blot)];
+      if (here.from > 0) arms.push_back({r, true, arrival_from(ridge(here.chain), here.from - 1, false)});
+      if (here.to < size(here.chain)) arms.push_back({r, false, arrival_from(ridge(here.chain), here.to, true)});
+    }
+  }
+
+  double width_of(const Arm& arm) const { return ridge(run(arm.run).chain).chain.width; }
+
+  // Where the lines of all arms meet, in the least squares.
+  std::optional<Vec2> meeting_point(const std::vector<Arm>& arms) const {
+    double a = 0, b = 0, c = 0;
+    Vec2 right;
+    for (const Arm& arm : arms) {
+      if (!arm.arrival.known) return std::nullopt;
+      const Vec2 normal = quarter_turn(arm.arrival.direction);
+      a += normal.x * normal.x;
+      b += normal.x * normal.y;
+      c += normal.y * normal.y;
+      right += dot(normal, arm.arrival.point) * normal;
+    }
+    const double determinant = a * c - b * b;
+    if (determinant < kParallel * static_cast<double>(arms.size())) return std::nullopt;
+    const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
+    const bool all =
+        std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) { return leads_to(arm, found, passing(arms, arm)); });
+    return all && stands_for_blot(arms, found) ? std::optional(found) : std::nullopt;
+  }
+
+  // Whether no chain of the blot is far from the ways that replace it.
+  bool stands_for_blot(const std::vector<Arm>& arms, Vec2 meeting) const {
+    double beside = options_.pen;
+    for (const Arm& arm : arms) beside = std::max(beside, width_of(arm));
+    const auto is_near = [&](Vec2 p) {
+      return std::any_of(arms.begin(), arms.end(), [&](const Arm& arm) {
+        const Vec2 way = meeting - arm.arrival.point;
+        const double s = norm2(way) > 0 ? std::clamp(dot(p - arm.arrival.point, way) / norm2(way), 0.0, 1.0) : 0;
+        return norm(p - arm.arrival.point - s * way) < kBeside * beside;
+      });
+    };
+    const int blot = run(arms.front().run).blot;
+    return std::all_of(runs_.begin(), runs_.end(), [&](const Run& here) {
+      const auto points = ridge(here.chain).chain.points.begin();
+      return here.blot != blot || std::all_of(points + here.from, points + here.to, is_near);
+    });
+  }
+
+  // The junction that is settled already and that all arms lead to, as those of a star of which the grid joined only some; or -1.
+  int junction_beside(const std::vector<Arm>& arms) const {
+    for (std::size_t j = settled_; !arms.empty() && j < junctions_.size(); ++j) {
+      const Vec2 place = junctions_[j];
+      const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
+        return arm.arrival.known && norm(arm.arrival.point - place) < kBeside * options_.pen + width_of(arm) &&
+               leads_to(arm, place, 0);
+      });
+      if (all && stands_for_blot(arms, place)) return static_cast<int>(j);
+    }
+    return -1;
+  }
+
+  // How far an arm may seem to go on past the others, px: the sharper two of them meet, the later their ink is wider than a
+  // stroke.
+  double passing(const std::vector<Arm>& arms, const Arm& arm) const {
+    double sharpest = 0;  // cosine of half the angle between two others
+    for (const Arm& a : arms)
+      for (const Arm& b : arms)
+        if (&a != &b && &a != &arm && &b != &arm)
+          sharpest = std::max(sharpest, std::sqrt(std::max(0.0, 0.5 + 0.5 * dot(a.arrival.direction, b.arrival.direction))));
+    return kWider * options_.pen * sharpest / std::sqrt(std::max(1e-3, 1 - sharpest * sharpest));
+  }
+
+  bool leads_to(const Arm& arm, Vec2 point, double passing) const {
+    const Vec2 way = point - arm.arrival.point;
+    const double ahead = dot(arm.arrival.direction, way), width = width_of(arm);
+    return ahead > -kPassed * width - passing && ahead < options_.longest &&
+           std::abs(cross(arm.arrival.direction, way)) < kMiss * width + kSlant * std::max(0.0, ahead) &&
+           over_ink(drawn_, arm.arrival.point, point, kPaper);
+  }
+
+  // The parts of a chain between the blots where strokes meet.
+  void split(int c, const std::vector<int>& target, std::vector<RidgeChain>& result) const {
+    const RidgeChain& whole = ridge(c);
+    int from = 0, start = whole.chain.start_junction;
+    const Arm* after = nullptr;
+    bool cut = false;
+    const auto emit = [&](int to, int end, const Arm* before) {
+      if (to - from < 2) return;
+      result.push_back(part(whole, from, to, after, before));
+      result.back().chain.start_junction = start;
+      result.back().chain.end_junction = end;
+      result.back().chain.closed = whole.chain.closed && !cut;
+      if (after) lead_to_junction(result.back(), true, after->arrival.direction);
+      if (before) lead_to_junction(result.back(), false, before->arrival.direction);
+    };
+    for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
+      const Run& here = run(r);
+      if (here.chain != c || target[static_cast<std::size_t>(here.blot)] < 0) continue;
+      cut = true;
+      const int junction = target[static_cast<std::size_t>(here.blot)];
+      if (here.from > 0) emit(here.from, junction, arm_of(r, true));
+      from = here.to;
+      start = junction;
+      after = arm_of(r, false);
+    }
+    if (from < size(c)) emit(size(c), whole.chain.end_junction, nullptr);
+  }
+
+  const Arm* arm_of(int r, bool before) const {
+    for (const Arm& arm : blots_[static_cast<std::size_t>(run(r).blot)])
+      if (arm.run == r && arm.before == before) return &arm;
+    return nullptr;
+  }
+
+  // Without the points beside a blot, which are bent by it.
+  static RidgeChain part(const RidgeChain& whole, int from, int to, const Arm* after, const Arm* before) {
+    int first = from + (after ? after->arrival.last : 0), last = to - (before ? before->arrival.last : 0);
+    const bool short_of_points = last - first < 2;
+    if (short_of_points) first = from, last = to;
+    RidgeChain piece = whole;
+    const auto range = [&](auto& values) {
+      values.erase(values.begin() + last, values.end());
+      values.erase(values.begin(), values.begin() + first);
+    };
+    range(piece.chain.points);
+    range(piece.sections);
+    if (after && !short_of_points) piece.chain.points.front() = after->arrival.point;
+    if (before && !short_of_points) piece.chain.points.back() = before->arrival.point;
+    return piece;
+  }
+
+  // From where it has not passed it.
+  void lead_to_junction(RidgeChain& piece, bool at_start, Vec2 direction) const {
+    const int junction = at_start ? piece.chain.start_junction : piece.chain.end_junction;
+    auto& points = piece.chain.points;
+    if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());
+    const Vec2 target = junctions_[static_cast<std::size_t>(junction)];
+    while (points.size() > 2 && dot(direction, target - points.back()) < 0) points.pop_back();
+    piece.sections.resize(points.size());
+    const auto way = resampled({points.back(), target}, 1);
+    points.insert(points.end(), way.begin() + 1, way.end());
+    piece.sections.resize(points.size());
+    if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());
+  }
+
+  std::vector<RidgeChain> ridges_;
+  std::vector<Vec2> junctions_;
+  std::size_t settled_;
+  double isolated_;
+  const Ink& ink_;
+  const Raster<std::uint8_t>& drawn_;
+  BlotOptions options_;
+  std::vector<std::vector<int>> run_of_;  // per chain and point: its run, or -1
+  std::vector<Run> runs_;
+  std::vector<std::vector<Arm>> blots_;
+  std::vector<std::uint8_t> stays_;  // per blot
+};
+
+}  // namespace
+
+Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Ink& ink,
+                    const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
+  const std::size_t old = junctions.size();
+  Blots blots{std::move(ridges), std::move(junctions)};
+  // Short parts that seem confirmed may be strokes, or lie inside a blot: the first is tried first.
+  for (const double isolated : {kIsolated * ink.stroke_width, std::max(kIsolated * ink.stroke_width, options.pen)})
+    blots = Blotter(std::move(blots), old, isolated, ink, drawn, options).meet();
+  return blots;
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,378 @@
+#include "refine/corners.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/polyline.h"
+#include "base/sample.h"
+#include "ink/ink.h"
+#include "refine/arrival.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr double kGoesOn = 0.4;      // cosine of the angle between a side and the tip: more is a branch
+constexpr double kSharp = 0.87;      // cosine of the least turn of a corner, 30 degrees
+constexpr double kArms = 0.17;       // cosine of the widest angle between arms that share a blot, 80 degrees
+constexpr double kSideError = 0.06;  // strokes by which the line of a side may miss
+constexpr double kMitre = 2;         // strokes
+constexpr double kInside = 0.4;      // strokes that the ink goes on behind a corner that is all but straight
+constexpr double kIsolated = 0.5;    // strokes: confirmed parts shorter than this between others that are not are none
+constexpr double kPaper = 1;         // px that rough rims may leave on the way to a tip
+
+struct End {
+  int chain;
+  bool at_start;
+};
+
+Vec2 tip_of(const Chain& chain, bool at_start) {
+  return at_start ? chain.points.front() : chain.points.back();
+}
+
+int& junction_of(Chain& chain, bool at_start) {
+  return at_start ? chain.start_junction : chain.end_junction;
+}
+
+// Of half the angle between two sides.
+double half_sine(const Arrival& a, const Arrival& b) {
+  return std::sqrt(std::max(1e-3, 0.5 * (1 - dot(a.direction, b.direction))));
+}
+
+// How far beside the true tip two lines may meet.
+double miss_of(const Arrival& a, const Arrival& b, double width, const CornerOptions& options) {
+  return options.miss + kSideError * width / half_sine(a, b);
+}
+
+// Whether the ink ends behind the tip: at a round cap, or at a mitre.
+bool ends_behind(const Raster<std::uint8_t>& ink, Vec2 tip, const Arrival& a, const Arrival& b, double width,
+                 const CornerOptions& options) {
+  const Vec2 outward = unit(a.direction + b.direction);
+  const double farthest = std::min(kMitre, 0.5 / half_sine(a, b)) * width + miss_of(a, b, width, options);
+  return !over_ink(ink, tip, tip + farthest * outward, kPaper);
+}
+
+// Where both sides meet in a sharp turn of the ink.
+std::optional<Vec2> corner_of(const Arrival& a, const Arrival& b, double width, const Raster<std::uint8_t>& ink,
+                              const CornerOptions& options) {
+  const auto meeting = meeting_of(a, b, 0.5 * width);
+  if (!meeting || dot(a.direction, b.direction) < -kSharp) return std::nullopt;
+  if (std::max(norm(*meeting - a.point), norm(*meeting - b.point)) > options.longest) return std::nullopt;
+  if (!nearest(ink, *meeting, std::uint8_t{0})) return std::nullopt;
+  if (!over_ink(ink, a.point, *meeting, kPaper) || !over_ink(ink, b.point, *meeting, kPaper)) return std::nullopt;
+  return meeting;
+}
+
+class Corners {
+ public:
+  Corners(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+          const CornerOptions& options)
+      : ridges_(std::move(ridges)), junctions_(std::move(junctions)), ink_(ink), options_(options), ends_(junctions_.size()) {}
+
+  std::vector<RidgeChain> open() {
+    drop_tips();
+    join_pairs();
+    join_free_ends(true);
+    return finished();
+  }
+
+  ArmsJoined meet() {
+    join_free_ends(false);
+    auto joined = finished();
+    return {std::move(joined), std::move(junctions_)};
+  }
+
+ private:
+  std::vector<RidgeChain> finished() {
+    std::erase_if(ridges_, [](const RidgeChain& r) { return r.chain.points.empty(); });
+    for (auto& ridge : ridges_) sharpen(ridge);
+    return std::move(ridges_);
+  }
+
+  RidgeChain& ridge(int c) { return ridges_[static_cast<std::size_t>(c)]; }
+  const Chain& chain(int c) const { return ridges_[static_cast<std::size_t>(c)].chain; }
+
+  void collect_ends() {
+    for (auto& at : ends_) at.clear();
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
+      if (chain(c).start_junction >= 0) ends_[static_cast<std::size_t>(chain(c).start_junction)].push_back({c, true});
+      if (chain(c).end_junction >= 0) ends_[static_cast<std::size_t>(chain(c).end_junction)].push_back({c, false});
+    }
+  }
+
+  bool is_tip(const End& stub, const std::vector<End>& at) {
+    const Chain& tip = chain(stub.chain);
+    if (junction_of(ridge(stub.chain).chain, !stub.at_start) >= 0 || lengths_along(tip.points).back() > options_.longest)
+      return false;
+    std::vector<Arrival> sides;
+    for (const End& e : at)
+      if (e.chain != stub.chain) sides.push_back(arrival_at(ridge(e.chain), e.at_start));
+    if (sides.size() != 2) return false;
+    const auto meeting = meeting_of(sides[0], sides[1], 0);
+    if (!meeting) return false;
+    const Vec2 outermost = tip_of(tip, !stub.at_start), outward = unit(outermost - tip_of(tip, stub.at_start));
+    const auto goes_on = [&](const Arrival& side) { return dot(side.direction, outward) > kGoesOn; };
+    return norm(*meeting - outermost) < miss_of(sides[0], sides[1], tip.width, options_) && goes_on(sides[0]) &&
+           goes_on(sides[1]);
+  }
+
+  void drop_tips() {
+    collect_ends();
+    std::vector<int> dropped;
+    for (const auto& at : ends_) {
+      if (at.size() != 3) continue;
+      for (const End& stub : at)
+        if (is_tip(stub, at)) dropped.push_back(stub.chain);
+    }
+    for (const int c : dropped) clear(ridge(c));
+  }
+
+  static void clear(RidgeChain& gone) { gone = {}; }
+
+  // Both ends become one; what lies between them is not confirmed.
+  void join(End a, End b) {
+    RidgeChain &first = ridge(a.chain), &second = ridge(b.chain);
+    junction_of(first.chain, a.at_start) = junction_of(second.chain, b.at_start) = -1;
+    if (a.chain == b.chain) {
+      first.chain.closed = true;
+      if (!(first.chain.points.back() == first.chain.points.front())) {
+        first.chain.points.push_back(first.chain.points.front());
+        first.sections.push_back({});
+      }
+      return;
+    }
+    if (a.at_start) reverse(first);
+    if (!b.at_start) reverse(second);
+    first.sections.back() = second.sections.front() = {};
+    first.chain.points.insert(first.chain.points.end(), second.chain.points.begin(), second.chain.points.end());
+    first.sections.insert(first.sections.end(), second.sections.begin(), second.sections.end());
+    first.chain.end_junction = second.chain.end_junction;
+    first.chain.confirmed += second.chain.confirmed;
+    clear(second);
+  }
+
+  static void reverse(RidgeChain& ridge) {
+    std::reverse(ridge.chain.points.begin(), ridge.chain.points.end());
+    std::reverse(ridge.sections.begin(), ridge.sections.end());
+    std::swap(ridge.chain.start_junction, ridge.chain.end_junction);
+  }
+
+  void join_pairs() {
+    for (std::size_t j = 0; j < ends_.size(); ++j) {
+      collect_ends();
+      if (ends_[j].size() == 2) join(ends_[j][0], ends_[j][1]);
+    }
+  }
+
+  std::vector<End> free_ends() {
+    std::vector<End> free;
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
+      for (const bool at_start : {true, false})
+        if (is_free({c, at_start}) && chain(c).confirmed > chain(c).width) free.push_back({c, at_start});
+    return free;
+  }
+
+  bool is_free(End e) {
+    return !chain(e.chain).points.empty() && !chain(e.chain).closed && junction_of(ridge(e.chain).chain, e.at_start) < 0;
+  }
+
+  struct Pair {
+    Vec2 tip_a, tip_b;
+    double distance;
+  };
+
+  void join_free_ends(bool at_ends_of_ink) {
+    const auto free = free_ends();
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < free.size(); ++i)
+      for (std::size_t j = i + 1; j < free.size(); ++j) {
+        const Vec2 a = tip_of(chain(free[i].chain), free[i].at_start), b = tip_of(chain(free[j].chain), free[j].at_start);
+        if (norm(b - a) < options_.longest && shared_tip(free[i], free[j], at_ends_of_ink)) pairs.push_back({a, b, norm(b - a)});
+      }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& s, const Pair& t) { return s.distance < t.distance; });
+    for (const Pair& pair : pairs) {
+      const auto a = free_end_at(pair.tip_a), b = free_end_at(pair.tip_b);
+      if (a && b && !(a->chain == b->chain && a->at_start == b->at_start)) join_at_tip(*a, *b, at_ends_of_ink);
+    }
+  }
+
+  // Chains that were joined have other numbers; their free ends are where they were.
+  std::optional<End> free_end_at(Vec2 tip) {
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
+      for (const bool at_start : {true, false})
+        if (is_free({c, at_start}) && tip_of(chain(c), at_start) == tip) return End{c, at_start};
+    return std::nullopt;
+  }
+
+  double width_of(const End& a, const End& b) const { return std::max(chain(a.chain).width, chain(b.chain).width); }
+
+  std::optional<Vec2> shared_tip(const End& a, const End& b, bool at_end_of_ink) {
+    if (a.chain == b.chain && lengths_along(chain(a.chain).points).back() < 2 * options_.longest) return std::nullopt;
+    const double width = width_of(a, b);
+    const Arrival from_a = arrival_at(ridge(a.chain), a.at_start), from_b = arrival_at(ridge(b.chain), b.at_start);
+    const auto tip = corner_of(from_a, from_b, width, ink_, options_);
+    if (!tip) return std::nullopt;
+    const bool fits = at_end_of_ink ? ends_behind(ink_, *tip, from_a, from_b, width, options_)
+                                    : dot(from_a.direction, from_b.direction) > kArms && !passed_by(*tip, width);
+    return fits ? tip : std::nullopt;
+  }
+
+  // Without what the ink does not confirm, and straight on to the tip.
+  void lead_to(End e, Vec2 tip) {
+    RidgeChain& arm = ridge(e.chain);
+    if (e.at_start) reverse(arm);
+    const Arrival arrival = arrival_at(arm, false);
+    const auto kept = arm.chain.points.size() - static_cast<std::size_t>(arrival.known ? arrival.last : 0);
+    arm.chain.points.resize(kept);
+    arm.chain.points.back() = arrival.point;
+    const auto way = resampled({arrival.point, tip}, 1);
+    arm.chain.points.insert(arm.chain.points.end(), way.begin() + 1, way.end());
+    arm.sections.resize(kept);
+    arm.sections.resize(arm.chain.points.size());
+    if (e.at_start) reverse(arm);
+  }
+
+  void join_at_tip(End a, End b, bool at_end_of_ink) {
+    const auto tip = shared_tip(a, b, at_end_of_ink);
+    if (!tip) return;
+    const bool corner = ends_behind(ink_, *tip, arrival_at(ridge(a.chain), a.at_start), arrival_at(ridge(b.chain), b.at_start),
+                                    width_of(a, b), options_);
+    const double width = width_of(a, b);
+    lead_to(a, *tip);
+    lead_to(b, *tip);
+    if (corner) drop_between(a, b, *tip, width);
+    const auto stem = corner ? std::nullopt : stem_at(a, b, *tip, width);
+    if (!stem) return join(a, b);
+    const int junction = static_cast<int>(junctions_.size());
+    junctions_.push_back(*tip);
+    for (const End& e : {a, b, *stem}) junction_of(ridge(e.chain).chain, e.at_start) = junction;
+  }
+
+  // A chain along the middle of the blot.
+  void drop_between(End a, End b, Vec2 tip, double width) {
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
+      if (c == a.chain || c == b.chain || !is_free({c, true}) || !is_free({c, false})) continue;
+      const auto& points = chain(c).points;
+      if (lengths_along(points).back() < options_.longest && std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+            return norm(p - tip) < options_.longest && over_ink(ink_, p, tip, kPaper + width);
+          }))
+        clear(ridge(c));
+    }
+  }
+
+  // The stem of a fork ends at its tip, which it may have passed.
+  std::optional<End> stem_at(End a, End b, Vec2 tip, double width) {
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
+      for (const bool at_start : {true, false}) {
+        if (c == a.chain || c == b.chain || !is_free({c, at_start})) continue;
+        RidgeChain& stem = ridge(c);
+        if (at_start) reverse(stem);
+        const auto& points = stem.chain.points;
+        const auto near =
+            std::min_element(points.begin(), points.end(), [&](Vec2 p, Vec2 q) { return norm2(p - tip) < norm2(q - tip); });
+        const auto kept = static_cast<std::size_t>(near - points.begin());
+        const auto lengths = lengths_along(points);
+        const bool found =
+            norm(*near - tip) < width && kept > 0 && lengths[kept] > width && lengths.back() - lengths[kept] < options_.longest;
+        if (found) {
+          stem.chain.points.resize(kept);
+          stem.chain.points.push_back(tip);
+          stem.sections.resize(kept);
+          stem.sections.push_back({});
+        }
+        if (at_start) reverse(stem);
+        if (found) return End{c, at_start};
+      }
+    return std::nullopt;
+  }
+
+  // Whether a chain leads through the place, rather than ends there.
+  bool passed_by(Vec2 place, double width) const {
+    for (const auto& ridge : ridges_) {
+      const auto lengths = lengths_along(ridge.chain.points);
+      for (std::size_t k = 0; k < lengths.size(); ++k) {
+        const bool inside = ridge.chain.closed || std::min(lengths[k], lengths.back() - lengths[k]) > options_.longest;
+        if (inside && norm(ridge.chain.points[k] - place) < width) return true;
+      }
+    }
+    return false;
+  }
+
+  // A seam on confirmed ink splits no corner.
+  static void move_seam(RidgeChain& ridge) {
+    const auto known =
+        std::find_if(ridge.sections.begin(), ridge.sections.end(), [](const CrossSection& s) { return s.weight > 0; });
+    if (known == ridge.sections.end()) return;
+    const auto turn = known - ridge.sections.begin();
+    auto& points = ridge.chain.points;
+    points.pop_back();
+    ridge.sections.pop_back();
+    if (turn < static_cast<std::ptrdiff_t>(points.size())) {
+      std::rotate(points.begin(), points.begin() + turn, points.end());
+      std::rotate(ridge.sections.begin(), ridge.sections.begin() + turn, ridge.sections.end());
+    }
+    points.push_back(points.front());
+    ridge.sections.push_back(ridge.sections.front());
+  }
+
+  void sharpen(RidgeChain& ridge) const {
+    if (ridge.chain.closed) move_seam(ridge);
+    const auto unknown = [&](int k) { return ridge.sections[static_cast<std::size_t>(k)].weight <= 0; };
+    const auto at = [&](int k) { return ridge.chain.points[static_cast<std::size_t>(k)]; };
+    for (int k = 1; k < static_cast<int>(ridge.chain.points.size()); ++k) {
+      if (!unknown(k) || unknown(k - 1)) continue;
+      const int size = static_cast<int>(ridge.chain.points.size());
+      int end = k;
+      for (int j = k; j < size && norm(at(j) - at(end)) < kIsolated * ridge.chain.width; ++j)
+        if (unknown(j)) end = j + 1;
+      if (end >= size) return;
+      k = sharpen_between(ridge, k, end);
+    }
+  }
+
+  // Whether a pen that turned here would have left this ink, even if it bevelled the corner: an arc's sides meet at its rim.
+  bool inside_ink(Vec2 tip, const Arrival& a, const Arrival& b, double width) const {
+    return nearest(ink_, tip + kInside * width * half_sine(a, b) * unit(a.direction + b.direction), std::uint8_t{0}) != 0;
+  }
+
+  // The number of the last point that was looked at.
+  int sharpen_between(RidgeChain& ridge, int from, int to) const {
+    const Arrival a = arrival_from(ridge, from - 1, false), b = arrival_from(ridge, to, true);
+    const auto tip = corner_of(a, b, ridge.chain.width, ink_, options_);
+    if (!tip || !inside_ink(*tip, a, b, ridge.chain.width)) return to;
+    auto& points = ridge.chain.points;
+    const int first = from - a.last, last = to + b.last;
+    if (first > 1) points[static_cast<std::size_t>(first - 1)] = a.point;
+    if (last + 1 < static_cast<int>(points.size())) points[static_cast<std::size_t>(last)] = b.point;
+    std::vector<Vec2> way = resampled({points[static_cast<std::size_t>(first - 1)], *tip}, 1);
+    const std::vector<Vec2> back = resampled({*tip, points[static_cast<std::size_t>(last)]}, 1);
+    way.insert(way.end(), back.begin() + 1, back.end());
+    const auto replace = [&](auto& values, auto begin, auto end) {
+      values.erase(values.begin() + first, values.begin() + last);
+      values.insert(values.begin() + first, begin, end);
+    };
+    replace(points, way.begin() + 1, way.end() - 1);
+    const std::vector<CrossSection> unsaid(way.size() - 2);
+    replace(ridge.sections, unsaid.begin(), unsaid.end());
+    return first + static_cast<int>(way.size()) - 2;
+  }
+
+  std::vector<RidgeChain> ridges_;
+  std::vector<Vec2> junctions_;
+  const Raster<std::uint8_t>& ink_;
+  const CornerOptions& options_;
+  std::vector<std::vector<End>> ends_;
+};
+
+}  // namespace
+
+ArmsJoined join_arms(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+                     const CornerOptions& options) {
+  return Corners(std::move(ridges), std::move(junctions), ink, options).meet();
+}
+
+std::vector<RidgeChain> open_corners(std::vector<RidgeChain> ridges, const std::vector<Vec2>& junctions,
+                                     const Raster<std::uint8_t>& ink, const CornerOptions& options) {
+  return Corners(std::move(ridges), junctions, ink, options).open();
+}
+
+}  // namespace inkgrid

@@ -1,0 +1,467 @@
+#include "refine/ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/polyline.h"
+#include "base/sample.h"
+#include "refine/arrival.h"
+#include "refine/ownership.h"
+
+namespace inkgrid {
+namespace {
+
+constexpr double kAligned = 0.97;  // cosine of 14 degrees
+constexpr double kNarrower = 0.9;  // of the way to the end, and
+constexpr double kSteps = 0.5;     // px: less are the steps of pixels
+constexpr double kBeside = 0.5;    // strokes between ends that passed each other in one stroke
+
+// One end of a chain.
+struct End {
+  int chain = -1;
+  bool at_start = true;
+};
+
+std::size_t end_index(const Chain& chain, bool at_start) {
+  return at_start ? 0 : chain.points.size() - 1;
+}
+
+// Outward direction over about `span` px before the end.
+Vec2 outward(const Chain& chain, bool at_start, double span) {
+  const Vec2 tip = chain.points[end_index(chain, at_start)];
+  const int n = static_cast<int>(chain.points.size());
+  Vec2 base = tip;
+  for (int k = 1; k < n; ++k) {
+    base = chain.points[static_cast<std::size_t>(at_start ? k : n - 1 - k)];
+    if (norm(tip - base) >= span) break;
+  }
+  return unit(tip - base);
+}
+
+bool on_ink(const Ink& ink, Vec2 p) {
+  return nearest(ink.mask, p, std::uint8_t{0}) != 0;
+}
+
+bool is_free(const Chain& chain, bool at_start) {
+  return !chain.closed && (at_start ? chain.start_junction : chain.end_junction) < 0;
+}
+
+// What a free end runs into.
+struct Meeting {
+  End end;
+  int chain = -1;
+  int point = -1;
+  double distance = 0;
+};
+
+std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownership, const Ink& ink, End end,
+                                  const EndOptions& options) {
+  const auto& chain = chains.chains[static_cast<std::size_t>(end.chain)];
+  const Vec2 tip = chain.points[end_index(chain, end.at_start)];
+  const Vec2 direction = outward(chain, end.at_start, chain.width);
+  const auto lengths = lengths_along(chain.points);
+  double paper = 0, all_paper = 0;
+  for (double t = 0; t < options.blot; t += 0.5) {
+    const Vec2 q = tip + t * direction;
+    paper = on_ink(ink, q) ? 0 : paper + 0.5;
+    all_paper += on_ink(ink, q) ? 0 : 0.5;
+    if (paper > options.bridge || (t >= options.reach && all_paper > 0)) return std::nullopt;
+    const int owner = ownership.owner.at(q);
+    if (owner < 0) continue;
+    const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
+    const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
+    if (!over_ink(ink.mask, q, target, options.slit)) continue;
+    if (sample.chain == end.chain) {
+      // The chain's own far part counts as another chain.
+      const double back = std::abs(lengths[static_cast<std::size_t>(sample.point)] - (end.at_start ? 0 : lengths.back()));
+      if (back < 3 * options.reach) continue;
+    }
+    return Meeting{end, sample.chain, sample.point, norm(target - tip)};
+  }
+  return std::nullopt;
+}
+
+// Goes on straight to the point, with a point a pixel.
+void append(Chain& chain, bool at_start, Vec2 point) {
+  const Vec2 tip = chain.points[end_index(chain, at_start)];
+  if (point == tip) return;
+  auto way = resampled({tip, point}, 1);
+  if (at_start) std::reverse(way.begin(), way.end());
+  if (at_start)
+    chain.points.insert(chain.points.begin(), way.begin(), way.end() - 1);
+  else
+    chain.points.insert(chain.points.end(), way.begin() + 1, way.end());
+}
+
+// Cuts every chain at the given points (index of point, junction there).
+struct Cut {
+  int point;
+  int junction;
+};
+
+std::vector<Chain> cut_chain(const Chain& chain, std::vector<Cut> cuts) {
+  std::sort(cuts.begin(), cuts.end(),
+            [](const Cut& a, const Cut& b) { return a.point != b.point ? a.point < b.point : a.junction < b.junction; });
+  if (cuts.empty()) return {chain};
+  std::vector<Chain> pieces;
+  Chain piece = chain;
+  piece.points.clear();
+  piece.closed = false;
+  piece.end_junction = -1;
+  std::size_t next = 0;
+  for (int k = 0; k < static_cast<int>(chain.points.size()); ++k) {
+    piece.points.push_back(chain.points[static_cast<std::size_t>(k)]);
+    if (next >= cuts.size() || cuts[next].point != k) continue;
+    piece.end_junction = cuts[next].junction;
+    if (piece.points.size() > 1) pieces.push_back(piece);
+    piece.points = {chain.points[static_cast<std::size_t>(k)]};
+    piece.start_junction = cuts[next].junction;
+    while (next < cuts.size() && cuts[next].point == k) ++next;
+  }
+  piece.end_junction = chain.end_junction;
+  if (piece.points.size() > 1) pieces.push_back(piece);
+  if (chain.closed && pieces.size() > 1) {
+    // The seam of a loop is no end: the last piece goes on into the first.
+    auto& last = pieces.back();
+    last.points.insert(last.points.end(), pieces.front().points.begin() + 1, pieces.front().points.end());
+    last.end_junction = pieces.front().end_junction;
+    pieces.erase(pieces.begin());
+  }
+  return pieces;
+}
+
+// A junction at, or near, a point of a chain: an existing one at its end, or a new cut.
+int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeting& meeting, double near) {
+  auto& chain = chains.chains[static_cast<std::size_t>(meeting.chain)];
+  const Vec2 target = chain.points[static_cast<std::size_t>(meeting.point)];
+  for (const bool at_start : {true, false}) {
+    if (chain.closed || norm(chain.points[end_index(chain, at_start)] - target) > near) continue;
+    int& junction = at_start ? chain.start_junction : chain.end_junction;
+    if (junction < 0) {
+      junction = static_cast<int>(chains.junctions.size());
+      chains.junctions.push_back(chain.points[end_index(chain, at_start)]);
+    }
+    return junction;
+  }
+  auto& here = cuts[static_cast<std::size_t>(meeting.chain)];
+  for (const auto& cut : here)
+    if (norm(chains.junctions[static_cast<std::size_t>(cut.junction)] - target) <= near) return cut.junction;
+  here.push_back({meeting.point, static_cast<int>(chains.junctions.size())});
+  chains.junctions.push_back(target);
+  return here.back().junction;
+}
+
+}  // namespace
+
+namespace {
+
+// Two free ends that face each other over ink.
+struct Facing {
+  End a, b;
+  double distance = 0;
+};
+
+struct Tip {
+  End end;
+  Vec2 point, direction;
+};
+
+bool lies_beside(Vec2 tip, const Chain& chain) {
+  const double farthest = kBeside * chain.width;
+  return std::any_of(chain.points.begin(), chain.points.end(), [&](Vec2 p) { return norm2(p - tip) < farthest * farthest; });
+}
+
+// Whether both chains run side by side before they end, as in one stroke.
+bool passed(const Chains& chains, const Tip& a, const Tip& b) {
+  const Vec2 way = b.point - a.point;
+  return a.end.chain != b.end.chain && dot(a.direction, way) < 0 && dot(b.direction, way) > 0 &&
+         lies_beside(a.point, chains.chains[static_cast<std::size_t>(b.end.chain)]) &&
+         lies_beside(b.point, chains.chains[static_cast<std::size_t>(a.end.chain)]);
+}
+
+std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
+  std::vector<Tip> tips;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const bool at_start : {true, false}) {
+      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
+      if (is_free(chain, at_start))
+        tips.push_back({{c, at_start}, chain.points[end_index(chain, at_start)], outward(chain, at_start, chain.width)});
+    }
+  std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
+  std::vector<Facing> pairs;
+  const double farthest = std::max(options.reach + options.gap, options.blot);
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= farthest; ++j) {
+      const Vec2 way = tips[j].point - tips[i].point;
+      const double distance = norm(way);
+      if (distance > farthest || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
+      // Ends of one short chain face each other too.
+      if (tips[i].end.chain == tips[j].end.chain &&
+          lengths_along(chains.chains[static_cast<std::size_t>(tips[i].end.chain)].points).back() < 3 * options.reach)
+        continue;
+      const bool aligned =
+          dot(tips[i].direction, way) > kAligned * distance && dot(tips[j].direction, way) < -kAligned * distance;
+      const double paper = aligned ? std::max(options.gap, options.bridge) : options.bridge;
+      const double most = passed(chains, tips[i], tips[j]) ? options.blot : options.reach + (aligned ? options.gap : 0);
+      if (distance > most) continue;
+      if (over_ink(ink.mask, tips[i].point, tips[j].point, paper)) pairs.push_back({tips[i].end, tips[j].end, distance});
+    }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Facing& s, const Facing& t) { return s.distance < t.distance; });
+  return pairs;
+}
+
+void cut_back(Chain& chain, bool at_start, double length) {
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+  const auto lengths = lengths_along(chain.points);
+  // A chain keeps at least a tenth of itself.
+  const double kept = std::max(lengths.back() - length, 0.1 * lengths.back());
+  const Vec2 tip = point_at(chain.points, lengths, kept);
+  while (chain.points.size() > 1 && lengths[chain.points.size() - 1] >= kept) chain.points.pop_back();
+  chain.points.push_back(tip);
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+}
+
+// Ends that passed each other go back to where they would meet.
+void cut_overlap(Chain& a, bool a_at_start, Chain& b, bool b_at_start) {
+  const Vec2 way = b.points[end_index(b, b_at_start)] - a.points[end_index(a, a_at_start)];
+  const Vec2 direction = unit(outward(a, a_at_start, a.width) - outward(b, b_at_start, b.width));
+  const double overlap = -dot(way, direction);
+  if (overlap <= 0) return;
+  cut_back(a, a_at_start, 0.5 * (overlap + a.width));
+  cut_back(b, b_at_start, 0.5 * (overlap + b.width));
+}
+
+constexpr double kFoldSpan = 3;     // strokes before the end that may be folded
+constexpr double kFoldWide = 0.5;   // strokes: a bend that is wider was drawn
+constexpr double kFoldBack = 0.25;  // strokes
+
+// The last point along the way that the chain came before it turned back within its own stroke; the very last one where it did
+// not.
+std::size_t furthest(const std::vector<Vec2>& points, double width) {
+  const std::size_t last = points.size() - 1;
+  const auto lengths = lengths_along(points);
+  const double from = lengths.back() - kFoldSpan * width;
+  if (from < width) return last;
+  const Vec2 base = point_at(points, lengths, from), direction = unit(base - point_at(points, lengths, from - width));
+  std::size_t tip = last;
+  for (std::size_t k = last; k > 0 && lengths[k] > from; --k) {
+    if (std::abs(cross(direction, points[k] - base)) > kFoldWide * width) return last;
+    if (dot(direction, points[k] - points[tip]) > 0) tip = k;
+  }
+  return dot(direction, points[tip] - points[last]) > kFoldBack * width ? tip : last;
+}
+
+void unfold(Chain& chain, bool at_start, double width) {
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+  chain.points.resize(furthest(chain.points, width) + 1);
+  if (at_start) std::reverse(chain.points.begin(), chain.points.end());
+}
+
+}  // namespace
+
+Chains straightened_ends(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double longest) {
+  Chains chains{std::move(junctions), {}};
+  for (const auto& ridge : ridges) {
+    const bool loose = is_free(ridge.chain, true) && is_free(ridge.chain, false);
+    if (loose && ridge.chain.confirmed == 0 && lengths_along(ridge.chain.points).back() < longest) continue;
+    chains.chains.push_back(ridge.chain);
+    Chain& chain = chains.chains.back();
+    const auto lengths = lengths_along(chain.points);
+    for (const bool at_start : {true, false}) {
+      const Arrival arrival = arrival_at(ridge, at_start);
+      if (!is_free(chain, at_start) || !arrival.known || arrival.last == 0) continue;
+      const auto last = static_cast<std::size_t>(arrival.last);
+      const double unsaid = at_start ? lengths[last] : lengths.back() - lengths[lengths.size() - 1 - last];
+      if (unsaid > longest || unsaid + 3 * chain.width > lengths.back()) continue;
+      cut_back(chain, at_start, unsaid + chain.width);
+      append(chain, at_start, arrival.point);
+    }
+  }
+  return chains;
+}
+
+Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  for (const auto& pair : facing_ends(chains, ink, options)) {
+    auto& a = chains.chains[static_cast<std::size_t>(pair.a.chain)];
+    auto& b = chains.chains[static_cast<std::size_t>(pair.b.chain)];
+    if (!is_free(a, pair.a.at_start) || !is_free(b, pair.b.at_start)) continue;
+    if (pair.a.chain != pair.b.chain) cut_overlap(a, pair.a.at_start, b, pair.b.at_start);
+    Vec2& tip_a = a.points[end_index(a, pair.a.at_start)];
+    Vec2& tip_b = b.points[end_index(b, pair.b.at_start)];
+    tip_a = tip_b = lerp(tip_a, tip_b, 0.5);
+    const int junction = static_cast<int>(chains.junctions.size());
+    chains.junctions.push_back(tip_a);
+    (pair.a.at_start ? a.start_junction : a.end_junction) = junction;
+    (pair.b.at_start ? b.start_junction : b.end_junction) = junction;
+  }
+  return dissolve_junctions(std::move(chains));
+}
+
+Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  chains = join_facing_ends(std::move(chains), ink, options);
+  const Ownership ownership = assign_ink(chains.chains, ink, options.bridge);
+  std::vector<Meeting> meetings;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const bool at_start : {true, false})
+      if (is_free(chains.chains[static_cast<std::size_t>(c)], at_start))
+        if (const auto meeting = meeting_of(chains, ownership, ink, {c, at_start}, options)) meetings.push_back(*meeting);
+  std::stable_sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; });
+  std::vector<std::vector<Cut>> cuts(chains.chains.size());
+  for (const auto& meeting : meetings) {
+    if (!is_free(chains.chains[static_cast<std::size_t>(meeting.end.chain)], meeting.end.at_start)) continue;
+    const int junction = junction_on(chains, cuts, meeting, 0.5 * options.reach);
+    auto& chain = chains.chains[static_cast<std::size_t>(meeting.end.chain)];
+    // A chain that would run into its own end there stays open.
+    if ((meeting.end.at_start ? chain.start_junction : chain.end_junction) == junction) continue;
+    (meeting.end.at_start ? chain.start_junction : chain.end_junction) = junction;
+  }
+  Chains result{chains.junctions, {}};
+  for (std::size_t c = 0; c < chains.chains.size(); ++c)
+    for (auto& piece : cut_chain(chains.chains[c], cuts[c])) {
+      if (piece.start_junction >= 0) append(piece, true, result.junctions[static_cast<std::size_t>(piece.start_junction)]);
+      if (piece.end_junction >= 0) append(piece, false, result.junctions[static_cast<std::size_t>(piece.end_junction)]);
+      result.chains.push_back(std::move(piece));
+    }
+  return dissolve_junctions(std::move(result));
+}
+
+Chains dissolve_junctions(Chains chains) {
+  std::vector<std::vector<End>> at(chains.junctions.size());
+  const auto collect = [&] {
+    for (auto& ends : at) ends.clear();
+    for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
+      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
+      if (chain.start_junction >= 0) at[static_cast<std::size_t>(chain.start_junction)].push_back({c, true});
+      if (chain.end_junction >= 0) at[static_cast<std::size_t>(chain.end_junction)].push_back({c, false});
+    }
+  };
+  // Keeps the order of `collect`: by chain, starts first.
+  const auto rename = [&](int junction, End from, End to) {
+    if (junction < 0) return;
+    auto& ends = at[static_cast<std::size_t>(junction)];
+    const auto rank = [](End e) { return std::pair(e.chain, !e.at_start); };
+    std::erase_if(ends, [&](End e) { return rank(e) == rank(from); });
+    ends.insert(std::find_if(ends.begin(), ends.end(), [&](End e) { return rank(e) > rank(to); }), to);
+  };
+  collect();
+  for (std::size_t j = 0; j < at.size(); ++j) {
+    if (at[j].size() == 1) {
+      auto& chain = chains.chains[static_cast<std::size_t>(at[j][0].chain)];
+      (at[j][0].at_start ? chain.start_junction : chain.end_junction) = -1;
+    }
+    if (at[j].size() != 2) continue;
+    const End a = at[j][0], b = at[j][1];
+    auto& first = chains.chains[static_cast<std::size_t>(a.chain)];
+    if (a.chain == b.chain) {
+      first.closed = true;
+      first.start_junction = first.end_junction = -1;
+      first.points.back() = first.points.front();
+      continue;
+    }
+    auto& second = chains.chains[static_cast<std::size_t>(b.chain)];
+    if (a.at_start) {
+      rename(first.end_junction, {a.chain, false}, {a.chain, true});
+      std::reverse(first.points.begin(), first.points.end());
+      std::swap(first.start_junction, first.end_junction);
+    }
+    if (!b.at_start) {
+      std::reverse(second.points.begin(), second.points.end());
+      std::swap(second.start_junction, second.end_junction);
+    }
+    rename(second.end_junction, {b.chain, !b.at_start}, {a.chain, false});
+    first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
+    first.end_junction = second.end_junction;
+    second.points.clear();
+    second.start_junction = second.end_junction = -1;
+  }
+  std::erase_if(chains.chains, [](const Chain& c) { return c.points.size() < 2; });
+  // Keep only junctions in use, in their order.
+  std::vector<int> renumbered(chains.junctions.size(), -1);
+  collect();
+  std::vector<Vec2> kept;
+  for (std::size_t j = 0; j < at.size(); ++j)
+    if (at[j].size() >= 2) {
+      renumbered[j] = static_cast<int>(kept.size());
+      kept.push_back(chains.junctions[j]);
+    }
+  for (auto& chain : chains.chains) {
+    if (chain.start_junction >= 0) chain.start_junction = renumbered[static_cast<std::size_t>(chain.start_junction)];
+    if (chain.end_junction >= 0) chain.end_junction = renumbered[static_cast<std::size_t>(chain.end_junction)];
+  }
+  chains.junctions = std::move(kept);
+  return chains;
+}
+
+namespace {
+
+// Distance along `direction` from the tip to where the ink ends; negative when the tip is on paper already.
+double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& options, double farthest) {
+  double last = 0, paper = 0;
+  if (on_ink(ink, tip)) {
+    for (double t = 0.25; t < farthest; t += 0.25) {
+      const bool ink_here = on_ink(ink, tip + t * direction);
+      paper = ink_here ? 0 : paper + 0.25;
+      if (ink_here) last = t;
+      if (paper > options.bridge) break;
+    }
+    return last;
+  }
+  for (double t = 0.25; t < farthest; t += 0.25)
+    if (on_ink(ink, tip - t * direction)) return -t;
+  return 0;
+}
+
+// From a place in a stroke to its rim on both sides, on average; no more than `farthest` is looked at.
+double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
+  double sum = 0;
+  for (const Vec2 side : {across, Vec2{} - across}) {
+    double t = 0;
+    while (t < farthest && on_ink(ink, p + t * side)) t += 0.25;
+    sum += t;
+  }
+  return sum / 2;
+}
+
+// How far inside the end of its ink a stroke ends: where it is as far from there as from its sides, as the middle of a round
+// cap is. Beside other ink, half the width of its chain.
+double cap_radius(const Ink& ink, Vec2 end, Vec2 outward, double half_width) {
+  const auto chord_at = [&](double inside) { return half_chord(ink, end - inside * outward, quarter_turn(outward), half_width); };
+  double inside = half_width;
+  while (inside > 0.25 && chord_at(inside) < std::min(kNarrower * inside, inside - kSteps)) inside -= 0.25;
+  return inside;
+}
+
+}  // namespace
+
+Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+  for (auto& chain : chains.chains)
+    for (const bool at_start : {true, false}) {
+      if (!is_free(chain, at_start)) continue;
+      unfold(chain, at_start, ink.stroke_width);
+      const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
+      const double to_end = to_ink_end(ink, tip, direction, options, 4 * ink.stroke_width);
+      const double further = to_end - cap_radius(ink, tip + to_end * direction, direction, 0.5 * chain.width);
+      if (further > 0)
+        append(chain, at_start, tip + further * direction);
+      else
+        cut_back(chain, at_start, -further);
+    }
+  return chains;
+}
+
+Chains reach_fills(Chains chains, const Fills& fills, double reach) {
+  if (fills.count == 0) return chains;
+  for (auto& chain : chains.chains)
+    for (const bool at_start : {true, false}) {
+      if (chain.mark || !is_free(chain, at_start)) continue;
+      const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
+      double way = 0;
+      while (way < reach && nearest(fills.region, tip + way * direction, -1) < 0) way += 0.25;
+      if (way < reach) append(chain, at_start, tip + way * direction);
+    }
+  return chains;
+}
+
+}  // namespace inkgrid

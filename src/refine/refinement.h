@@ -1,0 +1,26 @@
+// What:   chains brought onto the ink: what says nothing of its own goes, and what the grid left apart or bent meets.
+// Source: section 6.3, "Curve fitting" (coverage); the rest is ours.
+// Differs: docs/METHOD.md, "Chains" to "Ends".
+// Cost:   linear in the ink and in the length of the chains, times the stroke width.
+#pragma once
+
+#include "graph/chains.h"
+
+namespace inkgrid {
+
+struct RefinementOptions {
+  double pen = 5;         // width of the strokes as they were drawn, px
+  double reach = 0.3;     // of the band, strokes
+  double spacing = 0.7;   // of the grid, strokes
+  double gap = 1;         // of paper in a line, pens
+  int coverage_bins = 4;  // of a chain
+};
+
+// The grid has decided which strokes are one and how they meet; the ink, which may be slimmed, says where they run, bend and end.
+// `drawn` is the ink before it was slimmed.
+Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options);
+
+// The same chains with the widths that they have on other ink, as that which was drawn; reach and spacing in its strokes.
+Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing);
+
+}  // namespace inkgrid
