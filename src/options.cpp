@@ -164,8 +164,7 @@ Stage first_stage_changed(const Options& before, const Options& after) {
   Stage first = Stage::none;
   for (const OptionRow& row : kTable)
     if (!std::visit([&](auto Options::*m) { return before.*m == after.*m; }, row.member)) first = std::min(first, row.stage);
-  const bool same_slim = slim_share(before.spacing.value_or(1)) == slim_share(after.spacing.value_or(1));
-  return same_slim ? first : std::min(first, Stage::band);
+  return same_slimming(before.spacing.value_or(1), after.spacing.value_or(1)) ? first : std::min(first, Stage::band);
 }
 
 bool is_default(const Options& options, const OptionRow& row) {

@@ -179,11 +179,11 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
 
 // Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed; empty where neither changes the
 // ink.
-JoinedInk ground_of(const Stages& stages, const ScaleMask* mask) {
+JoinedInk ground_of(const Stages& stages, const ScaleMask* mask, bool slimmed) {
   const double share = slim_share(*stages.inputs.settled.spacing);
-  if (stages.bundles.count == 0) return {is_slimmed(stages.ink, share) ? slim_ink(stages.ink, share) : Ink{}, {}};
+  if (stages.bundles.count == 0) return {slimmed ? slim_ink(stages.ink, share) : Ink{}, {}};
   JoinedInk joined = join_bundles(stages.ink, stages.bundles, mask);
-  return {slim_ink(joined.ink, share), std::move(joined.scale)};
+  return {slimmed ? slim_ink(joined.ink, share) : std::move(joined.ink), std::move(joined.scale)};
 }
 
 // Takes what another owns, and gives it back at the end of its life.
@@ -269,7 +269,8 @@ Chains with_scribbles(Stages& stages, const Control& control) {
     return stages.plain;
   }
   std::optional<JoinedInk> ground;
-  if (stages.bundles.count > 0) ground = ground_of(stages, &*stages.inputs.mask);
+  if (stages.bundles.count > 0)
+    ground = ground_of(stages, &*stages.inputs.mask, is_slimmed(stages.ink, *stages.inputs.settled.spacing));
   Scribbled scribbled = solve_scribbles(stages, [&](const ScaleMask& mask, const TouchedPart& part, double margin) {
     return solve_window(stages, ground ? &*ground : nullptr, mask, part, margin, control);
   });
@@ -297,10 +298,12 @@ struct FittedBefore {
 void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control, Keep keep) {
   if (first <= Stage::bundles && stages.inputs.settled.bundles == BundleMode::join)
     stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
-  const bool measured_anew = stages.bundles.count > 0 || is_slimmed(stages.ink, slim_share(*stages.inputs.settled.spacing));
-  if (measured_anew) release(keep, stages.ink.depth, stages.ink.rise);
   if (first <= Stage::band) {
-    JoinedInk ground = run("slim ink", 0.28, [&] { return ground_of(stages, nullptr); });
+    JoinedInk ground = run("slim ink", 0.28, [&] {
+      const bool slimmed = is_slimmed(stages.ink, *stages.inputs.settled.spacing);
+      if (slimmed || stages.bundles.count > 0) release(keep, stages.ink.depth, stages.ink.rise);
+      return ground_of(stages, nullptr, slimmed);
+    });
     stages.slim = std::move(ground.ink);
     stages.bundle_scale = std::move(ground.scale);
     const ScaleMask* scale = stages.bundle_scale.factor.empty() ? nullptr : &stages.bundle_scale;

@@ -6,6 +6,7 @@
 
 #include "base/at.h"
 #include "base/sample.h"
+#include "ink/border.h"
 
 namespace inkgrid {
 namespace {
@@ -238,6 +239,7 @@ Ink measure_ink(Binarisation binarisation) {
   ink.darkness = std::move(binarisation.darkness);
   ink.pixels = static_cast<long>(std::count(ink.mask.data.begin(), ink.mask.data.end(), std::uint8_t{1}));
   if (ink.pixels == 0) return ink;
+  end_strokes_at_border(ink.mask);
   ink.depth = l1_depth(ink.mask);
   ink.gap = distance_to(ink.mask);
   ink.rise = rise_of(ink.depth);

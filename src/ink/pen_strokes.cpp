@@ -24,7 +24,6 @@ struct Uniformity {
 // Bundles of overdrawn strokes vary much.  Ink far wider than the pen is a stroke only where it has the look of a wide pen's.
 constexpr Uniformity kNarrow{1.3F, 6};
 constexpr Uniformity kWide{1.15F, 8};
-constexpr float kFarWider = 2.5F;  // times the pen
 
 bool is_centre(const Raster<float>& depth, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy)
@@ -145,7 +144,7 @@ Raster<float> depth_of(const Raster<std::uint8_t>& ink) {
   return distance_to(paper);
 }
 
-PenStrokes find_pen_strokes(const Raster<std::uint8_t>& ink, const Raster<float>& darkness) {
+PenStrokes find_pen_strokes(const Raster<std::uint8_t>& ink, const Raster<float>& darkness, float far_wider) {
   PenStrokes strokes;
   strokes.depth = depth_of(ink);
   float most = 1;
@@ -160,7 +159,7 @@ PenStrokes find_pen_strokes(const Raster<std::uint8_t>& ink, const Raster<float>
   RunFinder finder(strokes);
   finder.mark(0, most, kNarrow);
   strokes.width = median_width(strokes, darkness);
-  if (strokes.width > 0) finder.mark(kFarWider * static_cast<float>(strokes.width / 2), most, kWide);
+  if (strokes.width > 0) finder.mark(far_wider * static_cast<float>(strokes.width / 2), most, kWide);
   return strokes;
 }
 

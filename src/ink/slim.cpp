@@ -4,22 +4,27 @@
 #include <array>
 #include <cmath>
 
+#include "ink/pen_strokes.h"
+
 namespace inkgrid {
 namespace {
 
 constexpr double kCellOfPen = 0.7;  // a grid cell is never less of the pen's width
 constexpr float kSideRise = 0.75F;  // of the depth from a pixel to the next, px: less than 1 on the middle of a stroke alone
 constexpr float kDiagonalRise = 1.06F;
-constexpr double kThin = 0.7;    // of the usual width: strokes above it count as usual
+constexpr double kThin = 0.7;   // of the usual width: strokes above it count as usual
+constexpr double kBroad = 1.5;  // of it, and half a pixel: strokes above that are of a broader pen
+constexpr double kNearlyBroad = 1.3;
+constexpr double kLeast = 1;     // px: half the width that is left of those at least
 constexpr int kDepthLevels = 4;  // a pixel, when pixels are sorted by their depth
 
+constexpr float kHalfPixel = 0.5F;  // from the middle of the outermost pixel to the rim
+
 // Euclidean distance from the middle of each ink pixel to the rim, px.  What lies on the image's border goes on beyond it.
-Raster<float> depth_of(const Raster<std::uint8_t>& mask) {
-  Raster<std::uint8_t> paper(mask.width, mask.height);
-  std::transform(mask.data.begin(), mask.data.end(), paper.data.begin(), [](std::uint8_t m) -> std::uint8_t { return !m; });
-  Raster<float> depth = distance_to(paper);
+Raster<float> rim_distance(const Raster<std::uint8_t>& mask) {
+  Raster<float> depth = depth_of(mask);
   for (float& d : depth.data)
-    if (d > 0) d = std::max(0.0F, d - 0.5F);
+    if (d > 0) d = std::max(0.0F, d - kHalfPixel);
   return depth;
 }
 
@@ -79,9 +84,30 @@ double usual_radius(const Raster<float>& depth, const Raster<float>& thickness) 
   return static_cast<double>(strokes[k].first);
 }
 
-// How far the rim moves inwards where strokes have this radius, px.
-double retreat(double radius, double usual, double share) {
-  if (radius > 2 * usual) return radius - share * usual;
+// Per pixel on a stroke of a broader pen: half its width, px; elsewhere 0.  Where widths lie around the bound, it is broad all
+// along.
+Raster<float> broad_strokes(const Ink& ink, double usual) {
+  const PenStrokes strokes = find_pen_strokes(ink.mask, ink.darkness, static_cast<float>(kBroad));
+  Raster<float> broad(ink.width(), ink.height());
+  for (const double bound : {kBroad, kNearlyBroad})
+    for (const CentrePixel& c : strokes.centres) {
+      const float radius = c.depth - kHalfPixel;
+      const bool begun = bound == kBroad || broad(c.x, c.y) > 0;
+      if (c.of_stroke && begun && static_cast<double>(radius) > bound * usual + 0.5) raise_disc(broad, c.x, c.y, radius);
+    }
+  return broad;
+}
+
+bool has_broad_strokes(const Ink& ink) {
+  const Raster<float> depth = rim_distance(ink.mask);
+  const Raster<float> broad = broad_strokes(ink, usual_radius(depth, thickness_of(depth)));
+  return std::any_of(broad.data.begin(), broad.data.end(), [](float radius) { return radius > 0; });
+}
+
+// How far the rim moves inwards where ink has this radius, px, and so has, or has not (0), a stroke of a broader pen.
+double retreat(double radius, double broad, double usual, double share) {
+  const double wide = radius > 2 * usual ? radius : broad;
+  if (wide > 0) return std::max(0.0, wide - std::max(share * usual, kLeast));
   return (1 - share) * (radius < kThin * usual ? radius : usual);
 }
 
@@ -118,16 +144,24 @@ void peel(Raster<std::uint8_t>& mask, const Raster<float>& level, const Raster<f
   }
 }
 
-// Slims the strokes; what is left of the ink above the new rim, px, and below it less than 0.
-Raster<float> peeled(Raster<std::uint8_t>& mask, double share) {
-  const Raster<float> depth = depth_of(mask);
+// Slims the strokes of the mask, which is that of the ink; what is left of the ink above the new rim, px, and below it less than
+// 0.
+Raster<float> peeled(Raster<std::uint8_t>& mask, const Ink& ink, double share) {
+  const Raster<float> depth = rim_distance(mask);
   Raster<float> level = thickness_of(depth);
   const double usual = usual_radius(depth, level);
+  const Raster<float> broad = broad_strokes(ink, usual);
+  const auto as_double = [](float value) { return static_cast<double>(value); };
   for (std::size_t i = 0; i < level.data.size(); ++i)
     if (mask.data[i])
-      level.data[i] = depth.data[i] - static_cast<float>(retreat(static_cast<double>(level.data[i]), usual, share));
+      level.data[i] =
+          depth.data[i] - static_cast<float>(retreat(as_double(level.data[i]), as_double(broad.data[i]), usual, share));
   peel(mask, level, depth);
   return level;
+}
+
+bool has_rims(const Ink& ink) {
+  return ink.pixels > 0 && ink.pixels < static_cast<long>(ink.mask.data.size());
 }
 
 }  // namespace
@@ -136,15 +170,19 @@ double slim_share(double spacing) {
   return std::min(1.0, spacing / kCellOfPen);
 }
 
-bool is_slimmed(const Ink& ink, double share) {
-  const bool solid = ink.pixels == static_cast<long>(ink.mask.data.size());
-  return share < 1 && ink.pixels > 0 && !solid;
+bool same_slimming(double spacing, double other) {
+  return slim_share(spacing) == slim_share(other) && (spacing <= kCellOfPen) == (other <= kCellOfPen);
+}
+
+bool is_slimmed(const Ink& ink, double spacing) {
+  if (spacing > kCellOfPen || !has_rims(ink)) return false;
+  return spacing < kCellOfPen || has_broad_strokes(ink);
 }
 
 Ink slim_ink(const Ink& ink, double share) {
-  if (!is_slimmed(ink, share)) return ink;
+  if (!has_rims(ink)) return ink;
   Binarisation slim{ink.mask, {}, ink.threshold, ink.inverted};
-  slim.darkness = peeled(slim.ink, share);
+  slim.darkness = peeled(slim.ink, ink, share);
   for (std::size_t i = 0; i < slim.darkness.data.size(); ++i) {
     float& dark = slim.darkness.data[i];
     if (ink.mask.data[i])

@@ -8,14 +8,18 @@
 
 namespace inkgrid {
 
-// By how much strokes are to be slimmed for a grid spacing in strokes: 1 keeps them.
+// By how much strokes are to be slimmed for a grid spacing in strokes: 1 keeps most of them.
 double slim_share(double spacing);
 
+// Whether slim_ink does the same for both spacings.
+bool same_slimming(double spacing, double other);
+
 // The same drawing with a pen of `share` (0..1] of the width.  Strokes keep their middles, ends and connections: paper is won
-// from the rim inwards, never through.  Strokes more than twice as wide as the pen become as slim as the others.
+// from the rim inwards, never through.  Strokes of a broader pen become as slim as the others, and so do blots more than twice as
+// wide as the pen.
 Ink slim_ink(const Ink& ink, double share);
 
-// Whether slim_ink changes anything.
-bool is_slimmed(const Ink& ink, double share);
+// Whether slim_ink is to be used for the spacing, and changes anything.
+bool is_slimmed(const Ink& ink, double spacing);
 
 }  // namespace inkgrid

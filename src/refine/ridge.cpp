@@ -67,7 +67,10 @@ class SectionReader {
     for (double t = 0.5 * kWalkStep; t < farthest_; t += kWalkStep) {
       const Vec2 q = p + t * direction;
       const int x = floor_of(q.x), y = floor_of(q.y);
-      if (!ink_.mask.contains(x, y)) return side;
+      if (!ink_.mask.contains(x, y)) {
+        side.paper = last < t - kWalkStep;  // what lies on the border goes on beyond it
+        return side;
+      }
       const int owner = ownership_.owner(x, y);
       if (owner >= 0 && !belongs(owner, sample)) return side;
       if (ink_.mask(x, y)) {
