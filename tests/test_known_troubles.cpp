@@ -282,6 +282,21 @@ TEST(Pens, AThinStrokeCrossesAThickOne) {
   EXPECT_LT(distance_between(lines_of(drawing), {thin[0], thick[0]}), 2);
 }
 
+TEST(Pens, ABroadOneBesideAFineOneIsOneLine) {
+  for (const auto& [fine, broad] : {std::pair{2.0, 4.0}, std::pair{2.0, 5.0}, std::pair{2.0, 8.0}, std::pair{8.0, 14.0}})
+    for (const double angle : {0.03, 0.43, 0.78}) {
+      SCOPED_TRACE(std::to_string(fine) + " and " + std::to_string(broad) + " px, " + std::to_string(angle));
+      const std::vector<Line> fines{{{20, 20}, {200, 22}}, {{20, 40}, {200, 45}}, {{20, 60}, {200, 65}}};
+      const std::vector<Line> broads{{{30, 90}, Vec2{30, 90} + polar(120, angle)}, circle({240, 140}, 25)};
+      Image image = painted(fines, fine, 290, 200);
+      for (const Line& line : broads) paint(image, line, broad);
+      const Drawing drawing = traced(image);
+      EXPECT_EQ(drawing.curves.size(), 5u);
+      EXPECT_TRUE(drawing.junctions.empty());
+      EXPECT_LT(distance_between(lines_of(drawing), {fines[0], fines[1], fines[2], broads[0], broads[1]}), 0.15 * broad + 0.5);
+    }
+}
+
 TEST(Details, AnEyeInASketchIsALoop) {
   const Line eye = circle({60.3, 60.2}, 7);
   Image image = blank(240, 200);
@@ -416,6 +431,28 @@ TEST(Border, StrokesReachIt) {
       EXPECT_LT(distance(exit, found), 0.5 * pen + 0.5) << exit.x << ',' << exit.y;
     }
     EXPECT_LT(farthest(found, {across, corner}), 0.25 * pen + 0.3);
+  }
+}
+
+TEST(Border, AStrokeAlongItIsFollowed) {
+  for (const double y : {1.0, 2.0, 3.0}) {
+    SCOPED_TRACE(y);
+    const Line along{{30, y}, {170, y}};
+    const Drawing drawing = traced(painted({along}, 4, 200, 60));
+    ASSERT_EQ(drawing.curves.size(), 1u);
+    EXPECT_LT(distance_between(lines_of(drawing), {along}), 2.2);
+  }
+}
+
+TEST(Border, AFrameIsOneClosedCurve) {
+  const Line frame{{2, 2}, {158, 2}, {158, 118}, {2, 118}, {2, 2}}, inside{{30, 30}, {120, 90}};
+  for (const bool alone : {true, false}) {
+    Image image = painted({frame}, 4, 160, 120);
+    if (!alone) paint(image, inside, 4);
+    const Drawing drawing = traced(image);
+    ASSERT_EQ(drawing.curves.size(), alone ? 1u : 2u);
+    EXPECT_TRUE(std::any_of(drawing.curves.begin(), drawing.curves.end(), [](const Curve& c) { return c.closed; }));
+    EXPECT_LT(distance_between(lines_of(drawing), alone ? std::vector<Line>{frame} : std::vector<Line>{frame, inside}), 1);
   }
 }
 

@@ -119,6 +119,27 @@ TEST(Slim, ThinStrokesStayBesideThickOnes) {
   EXPECT_NEAR(cut_down(slim.mask, 150, 110, 170).first, 140, 1.1);
 }
 
+TEST(Slim, ABroadPenIsSlimmedBesideAFineOneWhereTheGridIsAsFineAsThat) {
+  Image image = blank(300, 200);
+  for (const double y : {20.0, 40.0, 60.0}) paint(image, {{20, y}, {280, y}}, 4);
+  EXPECT_FALSE(is_slimmed(ink_of(image), 0.7));
+  paint(image, {{20, 140}, {280, 140}}, 8);
+  const Ink ink = ink_of(image), slim = slim_ink(ink, 1);
+  EXPECT_TRUE(is_slimmed(ink, 0.7));
+  EXPECT_FALSE(is_slimmed(ink, 1.5));
+  EXPECT_NEAR(cut_down(slim.mask, 150, 110, 170).second, 4, 1.1);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 300; ++x) ASSERT_EQ(slim.mask(x, y), ink.mask(x, y));
+}
+
+TEST(Slim, WhereStrokesMeetIsNoBroadPen) {
+  Image image = blank(300, 300);
+  for (int k = 0; k < 6; ++k)
+    paint(image, {{150, 150}, Vec2{150, 150} + 120.0 * Vec2{std::cos(k * 1.05), std::sin(k * 1.05)}}, 6);
+  paint(image, circle({150, 150}, 60), 6);
+  EXPECT_FALSE(is_slimmed(ink_of(image), 0.7));
+}
+
 TEST(Slim, ABlotDoesNotChangeTheOthers) {
   Image image = blank(300, 300);
   for (const double y : {20.0, 45.0, 70.0, 95.0}) paint(image, {{20, y}, {280, y + 10}}, 8);

@@ -68,7 +68,7 @@ class SectionReader {
       const Vec2 q = p + t * direction;
       const int x = floor_of(q.x), y = floor_of(q.y);
       if (!ink_.mask.contains(x, y)) {
-        side.paper = last < t - kWalkStep;  // what lies on the border goes on beyond it
+        side.paper = t - last > 1;  // what lies on the border goes on beyond it
         return side;
       }
       const int owner = ownership_.owner(x, y);
