@@ -14,7 +14,7 @@ CLEAN = {
     'binarise': 26,
     'find_fills': 39,
     'measure_ink': 27,
-    'slim_ink': 28,
+    'slim_ink': 57,   # half of it looks for strokes of a broader pen
     'build_band': 100,
     'solve_field': 109,
     'comb_charts': 23,
