@@ -69,7 +69,8 @@ TEST(Ownership, PixelsOfOpenInkBelongToTheNearestPoint) {
     const Vec2 from{place(random), place(random)}, to{place(random), place(random)};
     chains.push_back(chain_along({from, to}, 6));
   }
-  const Ownership owned = assign_ink(chains, ink, 0);
+  const InkBand band(ink, 0);
+  const Ownership owned = assign_ink(chains, band);
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 120; ++x) {
       if (!ink.mask(x, y)) {

@@ -123,7 +123,8 @@ class Blotter {
     std::vector<Chain> chains;
     for (const auto& ridge : ridges_) chains.push_back(ridge.chain);
     const double rim = std::max(0.0, 0.5 * (options_.pen - ink_.stroke_width));
-    const Ownership ownership = assign_ink(chains, ink_, options_.bridge + rim);
+    const InkBand band(ink_, options_.bridge + rim);
+    const Ownership ownership = assign_ink(chains, band);
     const auto run_at = [&](int x, int y) {
       if (!drawn_.contains(x, y) || !drawn_(x, y)) return -1;
       const int owner = ownership.owner(x, y);
@@ -131,13 +132,12 @@ class Blotter {
       const auto s = ownership.samples[static_cast<std::size_t>(owner)];
       return run_of_[static_cast<std::size_t>(s.chain)][static_cast<std::size_t>(s.point)];
     };
-    for (int y = 0; y < ink_.height(); ++y)
-      for (int x = 0; x < ink_.width(); ++x) {
-        const int r = run_at(x, y);
-        if (r < 0) continue;
-        for (const int other : {run_at(x + 1, y), run_at(x, y + 1)})
-          if (other >= 0) groups.unite(r, other);
-      }
+    for (const auto [x, y] : band.pixels()) {
+      const int r = run_at(x, y);
+      if (r < 0) continue;
+      for (const int other : {run_at(x + 1, y), run_at(x, y + 1)})
+        if (other >= 0) groups.unite(r, other);
+    }
     number_blots(groups);
   }
 

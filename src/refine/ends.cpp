@@ -68,7 +68,7 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
     paper = on_ink(ink, q) ? 0 : paper + 0.5;
     all_paper += on_ink(ink, q) ? 0 : 0.5;
     if (paper > options.bridge || (t >= options.reach && all_paper > 0)) return std::nullopt;
-    const int owner = ownership.owner.at(q);
+    const int owner = ownership.owner(floor_of(q.x), floor_of(q.y));
     if (owner < 0) continue;
     const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
     const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
@@ -301,7 +301,8 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
 
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   chains = join_facing_ends(std::move(chains), ink, options);
-  const Ownership ownership = assign_ink(chains.chains, ink, options.bridge);
+  const InkBand band(ink, options.bridge);
+  const Ownership ownership = assign_ink(chains.chains, band);
   std::vector<Meeting> meetings;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false})

@@ -4,43 +4,56 @@
 #include <cmath>
 
 #include "base/polyline.h"
+#include "base/sample.h"
 #include "refine/ownership.h"
 
 namespace inkgrid {
 namespace {
 
-// Pixels of one piece of ink, and the moments of their centres.
-struct Piece {
-  std::vector<Vec2> pixels;
-  bool reached = false;
-};
+// Per pixel of the band: whether it is one of a chain, or leads to one.
+std::vector<std::uint8_t> reached_pixels(const std::vector<Chain>& chains, const InkBand& band) {
+  std::vector<std::uint8_t> reached(band.pixels().size(), 0);
+  std::vector<int> queue;
+  const auto reach = [&](int number) {
+    if (reached[static_cast<std::size_t>(number)]) return;
+    reached[static_cast<std::size_t>(number)] = 1;
+    queue.push_back(number);
+  };
+  for (const Chain& chain : chains)
+    for (const Vec2 p : chain.points)
+      if (const int number = band.number(floor_of(p.x), floor_of(p.y)); number >= 0) reach(number);
+  for (std::size_t k = 0; k < queue.size(); ++k)
+    band.for_each_around(queue[k], [&](int other, std::size_t, std::size_t) { reach(other); });
+  return reached;
+}
 
-Piece collect_piece(const Ink& ink, const IndexRaster& owner, Raster<std::uint8_t>& seen, int x0, int y0) {
-  Piece piece;
-  std::vector<std::pair<int, int>> stack{{x0, y0}};
-  seen(x0, y0) = 1;
+// The centres of the pixels of one piece of ink that are not done yet.
+std::vector<Vec2> collect_piece(const Ink& ink, const InkBand& band, std::vector<std::uint8_t>& done, int first) {
+  std::vector<Vec2> piece;
+  std::vector<int> stack{first};
+  done[static_cast<std::size_t>(first)] = 1;
   while (!stack.empty()) {
-    const auto [x, y] = stack.back();
+    const int number = stack.back();
+    const auto [x, y] = band.pixels()[static_cast<std::size_t>(number)];
     stack.pop_back();
-    piece.pixels.push_back({x + 0.5, y + 0.5});
-    piece.reached = piece.reached || owner(x, y) >= 0;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (!ink.mask.contains(x + dx, y + dy) || !ink.mask(x + dx, y + dy) || seen(x + dx, y + dy)) continue;
-        seen(x + dx, y + dy) = 1;
-        stack.emplace_back(x + dx, y + dy);
-      }
+    piece.push_back({x + 0.5, y + 0.5});
+    band.for_each_around(number, [&](int other, std::size_t, std::size_t) {
+      const auto beside = band.pixels()[static_cast<std::size_t>(other)];
+      if (!ink.mask(beside.x, beside.y) || done[static_cast<std::size_t>(other)]) return;
+      done[static_cast<std::size_t>(other)] = 1;
+      stack.push_back(other);
+    });
   }
   return piece;
 }
 
 // A straight mark through the centroid along the longer principal axis, half the piece's breadth inside its ends.
-Chain mark_of(const Piece& piece) {
+Chain mark_of(const std::vector<Vec2>& piece) {
   Vec2 centre;
-  for (const Vec2 p : piece.pixels) centre += p;
-  centre = centre / static_cast<double>(piece.pixels.size());
+  for (const Vec2 p : piece) centre += p;
+  centre = centre / static_cast<double>(piece.size());
   double xx = 0, xy = 0, yy = 0;
-  for (const Vec2 p : piece.pixels) {
+  for (const Vec2 p : piece) {
     const Vec2 d = p - centre;
     xx += d.x * d.x;
     xy += d.x * d.y;
@@ -49,7 +62,7 @@ Chain mark_of(const Piece& piece) {
   const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
   const Vec2 axis{std::cos(angle), std::sin(angle)};
   double along = 0, across = 0;
-  for (const Vec2 p : piece.pixels) {
+  for (const Vec2 p : piece) {
     along = std::max(along, std::abs(dot(axis, p - centre)) + 0.5);
     across = std::max(across, std::abs(cross(axis, p - centre)) + 0.5);
   }
@@ -65,14 +78,12 @@ Chain mark_of(const Piece& piece) {
 }  // namespace
 
 Chains mark_leftovers(Chains chains, const Ink& ink, double reach) {
-  const Ownership ownership = assign_ink(chains.chains, ink, reach);
-  Raster<std::uint8_t> seen(ink.width(), ink.height());
-  for (int y = 0; y < ink.height(); ++y)
-    for (int x = 0; x < ink.width(); ++x) {
-      if (!ink.mask(x, y) || seen(x, y)) continue;
-      const Piece piece = collect_piece(ink, ownership.owner, seen, x, y);
-      if (!piece.reached) chains.chains.push_back(mark_of(piece));
-    }
+  const InkBand band(ink, reach);
+  std::vector<std::uint8_t> done = reached_pixels(chains.chains, band);
+  for (int k = 0; k < static_cast<int>(done.size()); ++k) {
+    const auto [x, y] = band.pixels()[static_cast<std::size_t>(k)];
+    if (ink.mask(x, y) && !done[static_cast<std::size_t>(k)]) chains.chains.push_back(mark_of(collect_piece(ink, band, done, k)));
+  }
   return chains;
 }
 

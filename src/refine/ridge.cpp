@@ -252,10 +252,10 @@ std::vector<double> stiffness(const Chain& chain, const std::vector<double>& usu
   return ratio;
 }
 
-void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const RidgeOptions& options) {
+void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand& band, const RidgeOptions& options) {
   std::vector<Chain> chains;
   for (const auto& r : ridges) chains.push_back(r.chain);
-  const Ownership ownership = assign_ink(chains, ink, options.bridge);
+  const Ownership ownership = assign_ink(chains, band);
   const SectionReader reader(ownership, ink, options);
   const int tangent_span = std::max(1, static_cast<int>(std::lround(options.smooth / options.step)));
   for (std::size_t c = 0; c < ridges.size(); ++c) {
@@ -328,7 +328,8 @@ std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const In
   }
   const auto strokes = strokes_of(chains, options.stroke_span);
   for (const auto& stroke : strokes) wholes.push_back({joined(stroke, ridges), {}});
-  for (int round = 0; round < 2; ++round) follow_once(wholes, ink, options);
+  const InkBand band(ink, options.bridge);
+  for (int round = 0; round < 2; ++round) follow_once(wholes, ink, band, options);
   for (std::size_t s = 0; s < strokes.size(); ++s) split(wholes[s], strokes[s], ridges);
   for (RidgeChain& ridge : ridges) measure(ridge, ink.stroke_width, options.step);
   return ridges;

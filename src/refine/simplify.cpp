@@ -112,13 +112,14 @@ int bins_of(double length, int most) {
 }  // namespace
 
 Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
-  const Ownership ownership = assign_ink(chains.chains, ink, reach);
+  const InkBand band(ink, reach);
+  const Ownership ownership = assign_ink(chains.chains, band);
   std::vector<int> histogram(chains.chains.size() * static_cast<std::size_t>(bins), 0);
   std::vector<std::vector<double>> lengths;
   for (const auto& c : chains.chains) lengths.push_back(lengths_along(c.points));
-  for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
-    const int owner = ownership.owner[i];
-    if (owner < 0 || !ink.mask.data[i]) continue;
+  for (std::size_t i = 0; i < ownership.owners.size(); ++i) {
+    const int owner = ownership.owners[i];
+    if (owner < 0 || !ink.mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
     const auto s = ownership.samples[static_cast<std::size_t>(owner)];
     const auto& l = lengths[static_cast<std::size_t>(s.chain)];
     const double parameter = l.back() > 0 ? l[static_cast<std::size_t>(s.point)] / l.back() : 0;
