@@ -111,7 +111,7 @@ BandMesh band_of(const Stages& stages, const ScaleMask* mask) {
 void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& control, const Known* known, Keep keep) {
   const Options& options = stages.inputs.settled;
   const FieldOptions field_options{options.degenerate_angle, options.degenerate_ratio, options.degenerate_fraction,
-                                   options.field_rounds};
+                                   options.field_rounds, options.threads};
   if (first <= Stage::field)
     stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, grid_ink(stages), field_options, control); });
   if (first <= Stage::charts) stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known); });
@@ -155,11 +155,11 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   release(keep, stages.mesh, stages.charts, stages.labels, stages.graph);
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
-    return refine_on_ink(
-        chains, grid_ink(stages), covered_ink(stages).mask,
-        {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap, options.coverage_bins});
+    return refine_on_ink(chains, grid_ink(stages), covered_ink(stages).mask,
+                         {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap,
+                          options.coverage_bins, options.threads});
   });
-  if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing);
+  if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
   return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
 }
 

@@ -65,8 +65,11 @@ void add(std::vector<ComplexPair>& a, double factor, const std::vector<ComplexPa
 // The system with orthogonality weights that grow: one factorisation, then conjugate gradients with it as preconditioner.
 class ReweightedSystem {
  public:
-  explicit ReweightedSystem(const FieldSystem& system)
-      : system_(system), factor_(system.matrix), weights_(system.right.size(), 0.0), x_(factor_.solve(system.right)) {
+  ReweightedSystem(const FieldSystem& system, int threads)
+      : system_(system),
+        factor_(system.matrix, {}, threads),
+        weights_(system.right.size(), 0.0),
+        x_(factor_.solve(system.right)) {
     goal_ = kResidual * kResidual * real_dot(system.right, x_);
   }
 
@@ -142,7 +145,7 @@ FrameField solve_field(const BandMesh& mesh, const Ink& ink, const FieldOptions&
   const FieldSpace space = coarse_space(mesh);
   const FieldSystem system = assemble_field(mesh, space, ink);
   const Degeneracy degeneracy(options);
-  for (ReweightedSystem reweighted(system);; ++field.rounds) {
+  for (ReweightedSystem reweighted(system, options.threads);; ++field.rounds) {
     if (control.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
     interpolate(space, reweighted.solution(), field);
     int degenerate = 0;

@@ -35,6 +35,7 @@ struct FieldOptions {
   double degenerate_ratio = 0.1;
   double degenerate_fraction = 0.01;
   int rounds = 100;
+  int threads = 0;  // 0: as many as the machine has
 };
 
 // Throws Error{numerics} when the system cannot be factorised.

@@ -23,9 +23,9 @@ struct Unknowns {
 };
 
 // Writes only what belongs to the component, so components may be solved at the same time.
-void solve_component(const MapSetup& setup, const MapLayout& layout, int component, Unknowns& unknowns) {
+void solve_component(const MapSetup& setup, const MapLayout& layout, int component, int threads, Unknowns& unknowns) {
   EliminationPlan& plan = unknowns.plans[at(component)];
-  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan));
+  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan), threads);
   plan = std::move(solution.plan);
   const auto integer = [&](int place) { return static_cast<std::int64_t>(solution.integers[at(place)]); };
   for (std::size_t i = 0; i < layout.shift.size(); ++i)
@@ -88,9 +88,17 @@ class ComponentSolver {
     }
   }
 
+  // All of them for one that is more than the share of a thread: it would keep the others waiting.
+  int threads_for(int component) const {
+    const auto own = static_cast<std::int64_t>(layout_.nodes[at(component)]);
+    const auto all = std::reduce(layout_.nodes.begin(), layout_.nodes.end(), std::int64_t{0});
+    const int threads = thread_count(setup_.options.threads);
+    return own * threads > all ? threads : 1;
+  }
+
   void attempt(int component) {
     try {
-      solve_component(setup_, layout_, component, unknowns_);
+      solve_component(setup_, layout_, component, threads_for(component), unknowns_);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::numerics) throw;
       failed_[at(component)] = 1;

@@ -258,9 +258,9 @@ std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const 
 
 }  // namespace
 
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan) {
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan, int threads) {
   require_finite(problem);
-  PairLdl factor(problem.reals, std::move(plan));
+  PairLdl factor(problem.reals, std::move(plan), threads);
   const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b));
   SparseLdl integer_factor = factorise(reduced, integral_diagonal(problem));
   const std::vector<double> relaxed = integer_factor.solve(reduced.h);

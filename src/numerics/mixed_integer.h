@@ -33,7 +33,8 @@ struct MixedIntegerSolution {
 // Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.
 // Then single integers and pairs of coupled ones move by one as long as the energy falls, the steepest move first.
 // `plan`: that of an earlier problem whose reals had blocks at the same places, or none.
-// Throws Error{numerics} when A is not positive definite or holds a value that is not finite.
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {});
+// The result is the same for any number of threads.  Throws Error{numerics} when A is not positive definite or holds a value that
+// is not finite.
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {}, int threads = 1);
 
 }  // namespace inkgrid

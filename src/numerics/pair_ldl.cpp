@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "inkgrid/inkgrid.h"
 #include "numerics/ordering.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 // A pivot's smaller eigenvalue must exceed this part of the diagonal block's trace: rounding errors are smaller.
 constexpr double kPivotTolerance = 1e-14;
+constexpr double kTaskShare = 1.0 / 16;      // of the work of a factorisation, that is done at once on one thread
+constexpr std::size_t kWorthThreads = 2000;  // nodes
 
 constexpr std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -106,11 +109,38 @@ void plan_columns(const Rows& rows, EliminationPlan& plan) {
   accumulate_starts(plan.starts);
 }
 
+}  // namespace
+
+EliminationTasks elimination_tasks(const EliminationPlan& plan, double share) {
+  const std::size_t size = plan.places.size();
+  std::vector<double> work(size, 0.0);  // of each subtree
+  double total = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const double column = plan.starts[k + 1] - plan.starts[k], own = 1 + column * column;
+    total += own;
+    work[k] += own;
+    if (plan.parents[k] >= 0) work[at(plan.parents[k])] += work[k];
+  }
+  EliminationTasks tasks;
+  std::vector<int> task(size, -1);
+  for (std::size_t k = size; k-- > 0;) {
+    if (work[k] > share * total) continue;
+    const int above = plan.parents[k] < 0 ? -1 : task[at(plan.parents[k])];
+    task[k] = above >= 0 ? above : static_cast<int>(tasks.subtrees.size());
+    if (above < 0) tasks.subtrees.emplace_back();
+  }
+  for (std::size_t k = 0; k < size; ++k) (task[k] < 0 ? tasks.rest : tasks.subtrees[at(task[k])]).push_back(static_cast<int>(k));
+  return tasks;
+}
+
+namespace {
+
 // The columns of row k of the factor, each after those that contribute to it; `seen` holds the last row that visited a column.
 class RowPattern {
  public:
-  RowPattern(const Rows& rows, const std::vector<int>& parents)
-      : rows_(rows), parents_(parents), seen_(parents.size(), -1), pattern_(parents.size()) {}
+  // For rows of at most `longest` columns.
+  RowPattern(const Rows& rows, const std::vector<int>& parents, std::vector<int>& seen, std::size_t longest)
+      : rows_(rows), parents_(parents), seen_(seen), pattern_(longest) {}
 
   // Ascending along every path of the tree.
   const int* begin() const { return pattern_.data() + top_; }
@@ -132,10 +162,80 @@ class RowPattern {
  private:
   const Rows& rows_;
   const std::vector<int>& parents_;
-  std::vector<int> seen_;
+  std::vector<int>& seen_;
   std::vector<int> pattern_;
   std::size_t top_ = 0;
 };
+
+// L without its unit diagonal, and the inverse of D.
+struct Factor {
+  std::vector<int> rows;
+  std::vector<Block> blocks;  // transposed
+  std::vector<Block> inverse_pivots;
+};
+
+// Subtrees of the tree of elimination may be eliminated at the same time: each reads and writes only what is its own.
+class Elimination {
+ public:
+  Elimination(const Rows& rows, const EliminationPlan& plan, std::vector<Block> diagonal)
+      : rows_(rows),
+        plan_(plan),
+        pivots_(std::move(diagonal)),
+        ends_(plan.starts.begin(), plan.starts.end() - 1),
+        row_(pivots_.size()),
+        seen_(pivots_.size(), -1),
+        factor_{std::vector<int>(at(plan.starts.back())), std::vector<Block>(at(plan.starts.back())),
+                std::vector<Block>(pivots_.size())} {}
+
+  // `places` with those below them that are not eliminated yet, ascending; rows of at most `longest` columns.
+  void eliminate(const std::vector<int>& places, std::size_t longest) {
+    RowPattern pattern(rows_, plan_.parents, seen_, longest);
+    for (const int k : places) {
+      for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e) row_[at(rows_.columns[at(e)])] = rows_.blocks[at(e)];
+      const double least = kPivotTolerance * trace(pivots_[at(k)]);
+      pattern.find(k);
+      for (const int i : pattern) subtract_column(i, k);
+      if (!exceeds(pivots_[at(k)], least))
+        throw Error(ErrorCode::numerics, "The matrix of a linear system is not positive definite.");
+      factor_.inverse_pivots[at(k)] = inverse(pivots_[at(k)]);
+    }
+  }
+
+  Factor take() { return std::move(factor_); }
+
+ private:
+  // From row k, which gets its entry in column i.
+  void subtract_column(int i, int k) {
+    const Block term = std::exchange(row_[at(i)], {});
+    for (int e = plan_.starts[at(i)]; e < ends_[at(i)]; ++e)
+      subtract_product(row_[at(factor_.rows[at(e)])], term, factor_.blocks[at(e)]);
+    const Block entry = product(term, factor_.inverse_pivots[at(i)]);
+    subtract_product(pivots_[at(k)], entry, transposed(term));
+    factor_.rows[at(ends_[at(i)])] = k;
+    factor_.blocks[at(ends_[at(i)]++)] = transposed(entry);
+  }
+
+  const Rows& rows_;
+  const EliminationPlan& plan_;
+  std::vector<Block> pivots_;
+  std::vector<int> ends_;   // of the part of each column that is known
+  std::vector<Block> row_;  // zero between rows
+  std::vector<int> seen_;
+  Factor factor_;
+};
+
+Factor factorise(const PairMatrix& matrix, const Rows& rows, const EliminationPlan& plan, int threads) {
+  std::vector<Block> diagonal(plan.places.size());
+  for (std::size_t i = 0; i < diagonal.size(); ++i) diagonal[at(plan.places[i])] = matrix.diagonal()[i];
+  Elimination elimination(rows, plan, std::move(diagonal));
+  const EliminationTasks tasks = elimination_tasks(plan, kTaskShare);
+  for_ranges(plan.places.size() < kWorthThreads ? 1 : threads, static_cast<int>(tasks.subtrees.size()), 1,
+             [&](int first, int last) {
+               for (int t = first; t < last; ++t) elimination.eliminate(tasks.subtrees[at(t)], tasks.subtrees[at(t)].size());
+             });
+  elimination.eliminate(tasks.rest, plan.places.size());
+  return elimination.take();
+}
 
 }  // namespace
 
@@ -177,39 +277,16 @@ std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) co
   return y;
 }
 
-PairLdl::PairLdl(const PairMatrix& matrix, EliminationPlan plan) : plan_(std::move(plan)) {
-  const std::size_t size = at(matrix.size());
+PairLdl::PairLdl(const PairMatrix& matrix, EliminationPlan plan, int threads)
+    : plan_(std::move(plan)), work_(at(matrix.size())), marked_(at(matrix.size()), 0) {
   const bool planned = !plan_.starts.empty();
   if (!planned) plan_.places = elimination_places(matrix.starts(), matrix.rows());
   const Rows rows = permuted_rows(matrix, plan_.places);
   if (!planned) plan_columns(rows, plan_);
-  work_.resize(size);
-  marked_.assign(size, 0);
-  std::vector<Block> pivots(size);
-  for (std::size_t i = 0; i < size; ++i) pivots[at(plan_.places[i])] = matrix.diagonal()[i];
-  rows_.resize(at(plan_.starts.back()));
-  blocks_.resize(rows_.size());
-  inverse_pivots_.resize(size);
-  std::vector<int> ends(plan_.starts.begin(), plan_.starts.end() - 1);  // of the part of each column that is known
-  std::vector<Block> row(size);
-  RowPattern pattern(rows, plan_.parents);
-  for (int k = 0; k < static_cast<int>(size); ++k) {
-    for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e) row[at(rows.columns[at(e)])] = rows.blocks[at(e)];
-    const double least = kPivotTolerance * trace(pivots[at(k)]);
-    pattern.find(k);
-    for (const int i : pattern) {
-      const Block term = row[at(i)];
-      row[at(i)] = {};
-      for (int e = plan_.starts[at(i)]; e < ends[at(i)]; ++e) subtract_product(row[at(rows_[at(e)])], term, blocks_[at(e)]);
-      const Block entry = product(term, inverse_pivots_[at(i)]);
-      subtract_product(pivots[at(k)], entry, transposed(term));
-      rows_[at(ends[at(i)])] = k;
-      blocks_[at(ends[at(i)]++)] = transposed(entry);
-    }
-    if (!exceeds(pivots[at(k)], least))
-      throw Error(ErrorCode::numerics, "The matrix of a linear system is not positive definite.");
-    inverse_pivots_[at(k)] = inverse(pivots[at(k)]);
-  }
+  Factor factor = factorise(matrix, rows, plan_, threads);
+  rows_ = std::move(factor.rows);
+  blocks_ = std::move(factor.blocks);
+  inverse_pivots_ = std::move(factor.inverse_pivots);
 }
 
 template <class Scalar>

@@ -76,11 +76,21 @@ struct EliminationPlan {
   std::vector<int> starts;   // L by columns, its unit diagonal left out
 };
 
+// Places that may be eliminated at the same time: subtrees of the tree of elimination, and the rest above them.
+struct EliminationTasks {
+  std::vector<std::vector<int>> subtrees;  // each ascending, and with all below its places
+  std::vector<int> rest;                   // ascending
+};
+
+// Subtrees of at most a share of the work.
+EliminationTasks elimination_tasks(const EliminationPlan& plan, double share);
+
 // A = P' L D L' P.
 class PairLdl {
  public:
-  // Throws Error{numerics} where the matrix is not positive definite.  An empty plan is made first.
-  explicit PairLdl(const PairMatrix& matrix, EliminationPlan plan = {});
+  // Throws Error{numerics} where the matrix is not positive definite.  An empty plan is made first.  The result is the same for
+  // any number of threads.
+  explicit PairLdl(const PairMatrix& matrix, EliminationPlan plan = {}, int threads = 1);
 
   const EliminationPlan& plan() const { return plan_; }
 

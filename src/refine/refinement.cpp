@@ -62,9 +62,14 @@ BlotLengths blot_lengths(double spacing, double width, double pen) {
   return {kShortBlot * pen, 0, kNever, 0, overshoots};
 }
 
-RidgeOptions ridge_options(double width, double reach, double spacing) {
-  return {std::max(0.75, 0.15 * width),       std::max(1.0, reach * width), 0.5 * spacing * width, nullptr, 0,
-          spacing < 1 ? 0 : kStraight * width};
+RidgeOptions ridge_options(double width, double reach, double spacing, int threads) {
+  return {std::max(0.75, 0.15 * width),
+          std::max(1.0, reach * width),
+          0.5 * spacing * width,
+          nullptr,
+          0,
+          spacing < 1 ? 0 : kStraight * width,
+          threads};
 }
 
 // A grid finer than the strokes keeps the slits between them open.
@@ -83,7 +88,7 @@ class Refinement {
         bridge_(std::max(1.0, options.reach * width_)),
         resolution_(resolution_of(options.spacing, width_, options.pen)),
         blot_(blot_lengths(options.spacing, width_, options.pen)),
-        ridge_(ridge_options(width_, options.reach, options.spacing)),
+        ridge_(ridge_options(width_, options.reach, options.spacing, options.threads)),
         ends_(end_options(blot_.arms, bridge_, width_, options)) {
     if (width_ < options.pen) ridge_.drawn = &drawn, ridge_.taken = options.pen - width_;
   }
@@ -141,8 +146,8 @@ Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uin
   return refinement.located(refinement.joined(refinement.supported(chains)));
 }
 
-Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing) {
-  const auto ridges = follow_ridges(chains.chains, ink, ridge_options(ink.stroke_width, reach, spacing));
+Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing, int threads) {
+  const auto ridges = follow_ridges(chains.chains, ink, ridge_options(ink.stroke_width, reach, spacing, threads));
   for (std::size_t c = 0; c < ridges.size(); ++c) chains.chains[c].width = ridges[c].chain.width;
   return chains;
 }

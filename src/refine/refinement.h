@@ -14,6 +14,7 @@ struct RefinementOptions {
   double spacing = 0.7;   // of the grid, strokes
   double gap = 1;         // of paper in a line, pens
   int coverage_bins = 4;  // of a chain
+  int threads = 0;        // 0: as many as the machine has
 };
 
 // The grid has decided which strokes are one and how they meet; the ink, which may be slimmed, says where they run, bend and end.
@@ -21,6 +22,6 @@ struct RefinementOptions {
 Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options);
 
 // The same chains with the widths that they have on other ink, as that which was drawn; reach and spacing in its strokes.
-Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing);
+Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing, int threads);
 
 }  // namespace inkgrid

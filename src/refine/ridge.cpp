@@ -4,7 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "base/polyline.h"
+#include "base/sample.h"
+#include "refine/strokes.h"
 #include "base/sample.h"
 #include "refine/strokes.h"
 
@@ -258,21 +261,22 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand&
   const Ownership ownership = assign_ink(chains, band);
   const SectionReader reader(ownership, ink, options);
   const int tangent_span = std::max(1, static_cast<int>(std::lround(options.smooth / options.step)));
-  for (std::size_t c = 0; c < ridges.size(); ++c) {
-    auto& ridge = ridges[c];
+  const auto follow = [&](RidgeChain& ridge, int first_sample) {
     const int n = static_cast<int>(ridge.chain.points.size());
     std::vector<Vec2> normals;
     ridge.sections.clear();
     for (int k = 0; k < n; ++k) {
       normals.push_back(quarter_turn(tangent_at(ridge.chain.points, k, tangent_span, ridge.chain.closed)));
-      ridge.sections.push_back(
-          reader.read(ownership.first[c] + k, ridge.chain.points[static_cast<std::size_t>(k)], normals.back()));
+      ridge.sections.push_back(reader.read(first_sample + k, ridge.chain.points[static_cast<std::size_t>(k)], normals.back()));
     }
     if (options.drawn) doubt_rims(ridge, normals, ink.stroke_width, options);
     const auto usual = usual_widths(ridge.sections, width_span(ink.stroke_width, options.step), ink.stroke_width);
     judge(ridge.sections, usual);
     move_points(ridge, normals, stiffness(ridge.chain, usual, ink.stroke_width, options));
-  }
+  };
+  for_ranges(options.threads, static_cast<int>(ridges.size()), 1, [&](int first, int last) {
+    for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) follow(ridges[c], ownership.first[c]);
+  });
 }
 
 std::vector<Vec2> spaced_points(const Chain& chain, double step) {

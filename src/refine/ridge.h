@@ -30,6 +30,7 @@ struct RidgeOptions {
   const Raster<std::uint8_t>* drawn = nullptr;  // the ink before it was slimmed, where it was
   double taken = 0;                             // what slimming took from the width of most strokes, px
   double stroke_span = 0;                       // over which chains go straight on into each other, px; 0: they move alone
+  int threads = 0;                              // 0: as many as the machine has
 };
 
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,
