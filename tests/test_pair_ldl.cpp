@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "inkgrid/inkgrid.h"
 #include "numerics/pair_ldl.h"
@@ -154,6 +156,67 @@ TEST(PairLdl, ProductsOfHalfSolvedVectorsAreThoseOfTheInverse) {
     for (std::size_t i = 0; i < vectors[0].size(); ++i) expected += vectors[0][i].p * solved[i].p + vectors[0][i].q * solved[i].q;
     for (std::size_t i = 0; i < halves[0].size(); ++i) product += halves[0][i] * halves[1][i];
     EXPECT_NEAR(product, expected, 1e-9 * (1 + std::abs(expected)));
+  }
+}
+
+// A grid of nodes, each coupled to the next ones in its row and column.
+PairMatrix grid_matrix(int side) {
+  std::vector<std::array<int, 2>> edges;
+  for (int i = 0; i < side * side; ++i) {
+    if (i % side > 0) edges.push_back({i, i - 1});
+    if (i >= side) edges.push_back({i, i - side});
+  }
+  PairMatrix matrix(side * side, edges);
+  for (int i = 0; i < side * side; ++i) matrix.add(i, i, {4.1, 0.3, 0.3, 4.5 + 0.01 * (i % 7)});
+  for (const auto& [i, j] : edges) matrix.add(i, j, {-1, 0.1, -0.1, -0.9});
+  return matrix;
+}
+
+TEST(EliminationTasks, SubtreesHoldAllBelowTheirPlacesAndAreSmall) {
+  const EliminationPlan plan = PairLdl(grid_matrix(30)).plan();
+  const EliminationTasks tasks = elimination_tasks(plan, 0.125);
+  constexpr int kRest = -2;
+  std::vector<int> task(900, -1);
+  const auto put = [&](const std::vector<int>& places, int number) {
+    EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+    for (const int k : places) EXPECT_EQ(std::exchange(task[static_cast<std::size_t>(k)], number), -1) << "twice";
+  };
+  for (int t = 0; t < static_cast<int>(tasks.subtrees.size()); ++t) put(tasks.subtrees[static_cast<std::size_t>(t)], t);
+  put(tasks.rest, kRest);
+  std::vector<double> work(tasks.subtrees.size(), 0.0);
+  double all = 0;
+  for (std::size_t k = 0; k < 900; ++k) {
+    ASSERT_NE(task[k], -1);
+    const double own = 1 + std::pow(plan.starts[k + 1] - plan.starts[k], 2);
+    all += own;
+    if (task[k] != kRest) work[static_cast<std::size_t>(task[k])] += own;
+    const int parent = plan.parents[k];
+    if (parent < 0) continue;
+    const int above = task[static_cast<std::size_t>(parent)];
+    EXPECT_TRUE(above == task[k] || above == kRest);
+  }
+  EXPECT_GE(tasks.subtrees.size(), 8U);
+  EXPECT_LE(*std::max_element(work.begin(), work.end()), 0.125 * all);
+  EXPECT_LT(static_cast<double>(tasks.rest.size()), 0.3 * 900);
+}
+
+TEST(PairLdl, IsTheSameForAnyNumberOfThreads) {
+  constexpr int kSide = 60;
+  const PairMatrix matrix = grid_matrix(kSide);
+  std::mt19937 random(8);
+  const auto right = random_pairs(random, kSide * kSide);
+  const auto alone = PairLdl(matrix).solve(right);
+  const auto residual = matrix.times(alone);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    ASSERT_LT(std::abs(residual[i].p - right[i].p), 1e-9);
+    ASSERT_LT(std::abs(residual[i].q - right[i].q), 1e-9);
+  }
+  for (const int threads : {2, 5}) {
+    const auto shared = PairLdl(matrix, {}, threads).solve(right);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      ASSERT_EQ(shared[i].p, alone[i].p);
+      ASSERT_EQ(shared[i].q, alone[i].q);
+    }
   }
 }
 

@@ -8,8 +8,6 @@
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "refine/strokes.h"
-#include "base/sample.h"
-#include "refine/strokes.h"
 
 namespace inkgrid {
 namespace {
