@@ -35,6 +35,22 @@ TEST(Preset, StrokesOfDifferentGreyAreRough) {
   EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
 }
 
+// What is dark there and not black is rim: the tips of corners, and where strokes meet.
+TEST(Preset, FineStrokesWithCornersAreClean) {
+  for (const double pen : {1.5, 2.0, 3.0}) {
+    Image image = blank(420, 300);
+    for (int k = 0; k < 6; ++k) {
+      const auto polar = [&](double radius, double turn) {
+        return radius * Vec2{std::cos(1.047 * k + 0.2 + turn), std::sin(1.047 * k + 0.2 + turn)};
+      };
+      const Vec2 tip = Vec2{210, 150} + polar(130, 0);
+      paint(image, {Vec2{210, 150} + polar(40, 0), tip}, pen);
+      for (const double turn : {2.6, -2.6}) paint(image, {tip, tip + polar(6 * pen, turn)}, pen);
+    }
+    EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean) << pen;
+  }
+}
+
 TEST(Preset, BlackStrokesWithSlitsAreRough) {
   Image image = blank(200, 200);
   for (const double y : {40.0, 90.0, 150.0})

@@ -8,6 +8,9 @@ namespace inkgrid {
 namespace {
 
 constexpr double kSpreadOpacity = 0.05;
+constexpr float kFullyDark = 0.97F;
+constexpr double kMuchPale = 0.25;
+constexpr double kEnoughInside = 0.15;
 constexpr double kManySlits = 0.03;
 constexpr double kUnevenWidth = 0.5;
 constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
@@ -17,19 +20,22 @@ constexpr double kFinest = 0.5;
 constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
 
 // The rim of a stroke is grey for other reasons.
-double opacity_spread(const Ink& ink) {
+void measure_opacity(const Ink& ink, Sketchiness& sketchiness) {
   double sum = 0, squares = 0;
-  long count = 0;
+  long count = 0, pale = 0;
   for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
     if (ink.depth.data[i] < 2) continue;
     const double dark = static_cast<double>(ink.darkness.data[i]);
     sum += dark;
     squares += dark * dark;
     ++count;
+    pale += ink.darkness.data[i] < kFullyDark;
   }
-  if (count == 0) return 0;
-  const double mean = sum / static_cast<double>(count);
-  return std::sqrt(std::max(0.0, squares / static_cast<double>(count) - mean * mean));
+  if (count == 0) return;
+  const auto n = static_cast<double>(count);
+  sketchiness.inside = n / static_cast<double>(ink.pixels);
+  sketchiness.opacity_spread = std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
+  sketchiness.pale = static_cast<double>(pale) / n;
 }
 
 double slit_share(const Ink& ink) {
@@ -52,16 +58,20 @@ double width_spread(const Ink& ink) {
 }  // namespace
 
 Sketchiness measure_sketchiness(const Ink& ink) {
-  if (ink.pixels == 0) return {};
-  return {opacity_spread(ink), slit_share(ink), width_spread(ink)};
+  Sketchiness sketchiness;
+  if (ink.pixels == 0) return sketchiness;
+  measure_opacity(ink, sketchiness);
+  sketchiness.slits = slit_share(ink);
+  sketchiness.uneven_width = width_spread(ink);
+  return sketchiness;
 }
 
 Preset choose_preset(Preset given, const Ink& ink) {
   if (given != Preset::automatic) return given;
   const Sketchiness s = measure_sketchiness(ink);
+  const bool unequal = s.inside > kEnoughInside && s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale;
   const bool overdrawn = s.slits > kManySlits && s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
-  const bool rough = s.opacity_spread > kSpreadOpacity || overdrawn;
-  return rough ? Preset::rough : Preset::clean;
+  return unequal || overdrawn ? Preset::rough : Preset::clean;
 }
 
 PresetValues preset_values(Preset preset, double stroke_width) {

@@ -11,7 +11,9 @@ namespace inkgrid {
 
 // What the choice rests on.
 struct Sketchiness {
-  double opacity_spread = 0;  // standard deviation of the darkness inside the strokes: overdrawn strokes differ
+  double inside = 0;          // share of the ink of which the darkness is not that of a rim
+  double opacity_spread = 0;  // standard deviation of the darkness there: overdrawn strokes differ
+  double pale = 0;            // share of it that is less than fully dark
   double slits = 0;           // paper between strokes closer than 0.6 stroke widths, over the ink
   double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes
 };
