@@ -391,6 +391,24 @@ TEST(MixedInteger, RefusesWhatHasNoMinimum) {
   EXPECT_EQ(code_of({1, {{0, 0, 1.0}}, {nan}, {0}}), ErrorCode::numerics);
 }
 
+TEST(MixedInteger, RefusesMoreWorkThanTheLimitAndStops) {
+  std::mt19937 random(12);
+  const MixedIntegerProblem problem = paired(random_problem(random, 20, 6));
+  const auto code_with = [&](const MixedIntegerLimits& limits) {
+    try {
+      solve_mixed_integer(problem, {}, limits);
+    } catch (const Error& error) {
+      return static_cast<int>(error.code());
+    }
+    return 0;
+  };
+  std::stop_source stop;
+  EXPECT_EQ(code_with({1, stop.get_token()}), 0);
+  EXPECT_EQ(code_with({1, stop.get_token(), 1}), static_cast<int>(ErrorCode::usage));
+  stop.request_stop();
+  EXPECT_EQ(code_with({1, stop.get_token()}), static_cast<int>(ErrorCode::cancelled));
+}
+
 SparseLdl factor_of(const MatrixXd& a) {
   const Problem problem = problem_of(a, VectorXd::Zero(a.rows()), {});
   const VectorXd diagonal = a.diagonal();

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <numeric>
+#include <string>
 #include <thread>
 
 #include "base/parallel.h"
@@ -23,9 +24,10 @@ struct Unknowns {
 };
 
 // Writes only what belongs to the component, so components may be solved at the same time.
-void solve_component(const MapSetup& setup, const MapLayout& layout, int component, int threads, Unknowns& unknowns) {
+void solve_component(const MapSetup& setup, const MapLayout& layout, int component, const MixedIntegerLimits& limits,
+                     Unknowns& unknowns) {
   EliminationPlan& plan = unknowns.plans[at(component)];
-  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan), threads);
+  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan), limits);
   plan = std::move(solution.plan);
   const auto integer = [&](int place) { return static_cast<std::int64_t>(solution.integers[at(place)]); };
   for (std::size_t i = 0; i < layout.shift.size(); ++i)
@@ -98,8 +100,10 @@ class ComponentSolver {
 
   void attempt(int component) {
     try {
-      solve_component(setup_, layout_, component, threads_for(component), unknowns_);
+      solve_component(setup_, layout_, component, {threads_for(component), control_.stop}, unknowns_);
     } catch (const Error& error) {
+      if (error.code() == ErrorCode::usage)
+        throw Error(error.code(), std::string(error.what()) + "; a larger merge-difference leaves fewer.");
       if (error.code() != ErrorCode::numerics) throw;
       failed_[at(component)] = 1;
     }

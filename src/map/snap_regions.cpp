@@ -42,6 +42,29 @@ void merge_neighbours(const BandMesh& mesh, const Charts& charts, const std::vec
   }
 }
 
+// How strongly a vertex snaps, computed where it is asked for.
+class SnappingWeights {
+ public:
+  SnappingWeights(const BandMesh& mesh, const Ink& ink, double sigma)
+      : mesh_(mesh), ink_(ink), sigma_(sigma), known_(mesh.points.size(), kUnknown) {}
+
+  double at_vertex(int v) {
+    double& weight = known_[at(v)];
+    if (weight != kUnknown) return weight;
+    const double d = bilinear(ink_.rise.width, ink_.rise.height, mesh_.points[at(v)],
+                              [&](int x, int y) { return ink_.centre_distance(x, y); });
+    return weight = std::exp(-d * d / (2 * sigma_ * sigma_));
+  }
+
+ private:
+  static constexpr double kUnknown = -1;
+
+  const BandMesh& mesh_;
+  const Ink& ink_;
+  double sigma_;  // half-widths
+  std::vector<double> known_;
+};
+
 }  // namespace
 
 double grid_unit(const BandMesh& mesh, const Ink& ink, const GridMapOptions& options, int f) {
@@ -54,15 +77,12 @@ SnapRegions merge_snapping(const BandMesh& mesh, const Charts& charts, const std
   UnionFind merged(corners);
   merge_neighbours(mesh, charts, labels, merged);
   SnapRegions snap{std::vector<int>(at(corners), -1), std::vector<double>(at(corners), 0.0), {}};
+  SnappingWeights weights(mesh, ink, options.snap_sigma);
   for (int f = 0; f < mesh.face_count(); ++f) {
     if (labels[at(f)] == Label::none) continue;
     merge_within_face(mesh, charts, f, snapping_coordinate(labels[at(f)]), grid_unit(mesh, ink, options, f),
                       options.merge_difference, merged);
-    for (int k = 0; k < 3; ++k) {
-      const double d = bilinear(ink.rise.width, ink.rise.height, mesh.points[at(mesh.faces[at(f)][at(k)])],
-                                [&](int x, int y) { return ink.centre_distance(x, y); });
-      snap.weight[at(3 * f + k)] = std::exp(-d * d / (2 * options.snap_sigma * options.snap_sigma));
-    }
+    for (int k = 0; k < 3; ++k) snap.weight[at(3 * f + k)] = weights.at_vertex(mesh.faces[at(f)][at(k)]);
   }
   std::vector<int> number(at(corners), -1);
   for (int c = 0; c < corners; ++c) {

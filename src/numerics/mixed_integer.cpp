@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "inkgrid/inkgrid.h"
@@ -179,11 +180,16 @@ int nearest_to_an_integer(const std::vector<double>& x, const std::vector<char>&
   return best;
 }
 
+void require_going_on(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Error(ErrorCode::cancelled, "The run was cancelled while integers were rounded.");
+}
+
 // `x`: the minimum over the reals; `factor`: of S.  Moving x_j by delta moves the others along column j of the inverse of what is
 // left.
-std::vector<double> round_greedily(std::vector<double> x, SparseLdl& factor) {
+std::vector<double> round_greedily(std::vector<double> x, SparseLdl& factor, const std::stop_token& stop) {
   std::vector<char> fixed(x.size(), 0);
   for (int j; (j = nearest_to_an_integer(x, fixed)) >= 0; fixed[at(j)] = 1) {
+    require_going_on(stop);
     const double target = nearest_integer(x[at(j)]), delta = target - x[at(j)];
     if (delta != 0) {
       std::vector<double> column(x.size(), 0.0);
@@ -223,9 +229,10 @@ Move steepest_move(const Reduced& reduced, const std::vector<double>& gradient) 
 }
 
 // Ends because each move lowers the energy by more than rounding errors could.
-std::vector<double> descend(const Reduced& reduced, std::vector<double> x) {
+std::vector<double> descend(const Reduced& reduced, std::vector<double> x, const std::stop_token& stop) {
   const double least = kTie * (1 + std::abs(reduced.energy(x)));
   for (;;) {
+    require_going_on(stop);
     const Move move = steepest_move(reduced, reduced.gradient(x));
     if (move.change > -least) return x;
     x[at(move.i)] += move.step_i;
@@ -258,15 +265,19 @@ std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const 
 
 }  // namespace
 
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan, int threads) {
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan,
+                                         const MixedIntegerLimits& limits) {
   require_finite(problem);
-  PairLdl factor(problem.reals, std::move(plan), threads);
+  PairLdl factor(problem.reals, std::move(plan), limits.threads);
   const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b));
   SparseLdl integer_factor = factorise(reduced, integral_diagonal(problem));
+  if (static_cast<double>(reduced.size()) * static_cast<double>(integer_factor.entries()) > limits.work)
+    throw Error(ErrorCode::usage,
+                std::to_string(reduced.size()) + " integers depend on each other too closely to be rounded one after the other");
   const std::vector<double> relaxed = integer_factor.solve(reduced.h);
-  const std::vector<double> greedy = round_greedily(relaxed, integer_factor);
+  const std::vector<double> greedy = round_greedily(relaxed, integer_factor, limits.stop);
   MixedIntegerSolution solution;
-  solution.integers = descend(reduced, greedy);
+  solution.integers = descend(reduced, greedy, limits.stop);
   solution.reals = answer_of_reals(problem, factor, solution.integers);
   solution.energy = reduced.energy(solution.integers);
   solution.greedy_energy = reduced.energy(greedy);

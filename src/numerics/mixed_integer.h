@@ -5,6 +5,7 @@
 // Cost:   one sparse factorisation and solve; then a sparse system of the integers only, updated once an integer.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "numerics/pair_ldl.h"
@@ -30,11 +31,18 @@ struct MixedIntegerSolution {
   EliminationPlan plan;          // of the reals
 };
 
+struct MixedIntegerLimits {
+  int threads = 1;
+  std::stop_token stop = {};
+  double work = 1e10;  // of the rounding: integers times entries of the factor of their system; some 20 seconds
+};
+
 // Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.
 // Then single integers and pairs of coupled ones move by one as long as the energy falls, the steepest move first.
 // `plan`: that of an earlier problem whose reals had blocks at the same places, or none.
 // The result is the same for any number of threads.  Throws Error{numerics} when A is not positive definite or holds a value that
-// is not finite.
-MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {}, int threads = 1);
+// is not finite, Error{usage} beyond the limit of work, Error{cancelled} where it is asked to stop while integers are rounded.
+MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {},
+                                         const MixedIntegerLimits& limits = {});
 
 }  // namespace inkgrid

@@ -60,13 +60,13 @@ std::vector<std::uint8_t> confirmed_points(const RidgeChain& ridge, double isola
 class Blotter {
  public:
   // Blots of the junctions from number `settled` on stay.
-  Blotter(Blots blots, std::size_t settled, double isolated, const Ink& ink, const Raster<std::uint8_t>& drawn,
+  Blotter(Blots blots, std::size_t settled, double isolated, const InkBand& band, const Raster<std::uint8_t>& drawn,
           const BlotOptions& options)
       : ridges_(std::move(blots.ridges)),
         junctions_(std::move(blots.junctions)),
         settled_(settled),
         isolated_(isolated),
-        ink_(ink),
+        band_(band),
         drawn_(drawn),
         options_(options) {
     find_runs();
@@ -122,9 +122,7 @@ class Blotter {
       }
     std::vector<Chain> chains;
     for (const auto& ridge : ridges_) chains.push_back(ridge.chain);
-    const double rim = std::max(0.0, 0.5 * (options_.pen - ink_.stroke_width));
-    const InkBand band(ink_, options_.bridge + rim);
-    const Ownership ownership = assign_ink(chains, band);
+    const Ownership ownership = assign_ink(chains, band_);
     const auto run_at = [&](int x, int y) {
       if (!drawn_.contains(x, y) || !drawn_(x, y)) return -1;
       const int owner = ownership.owner(x, y);
@@ -132,7 +130,7 @@ class Blotter {
       const auto s = ownership.samples[static_cast<std::size_t>(owner)];
       return run_of_[static_cast<std::size_t>(s.chain)][static_cast<std::size_t>(s.point)];
     };
-    for (const auto [x, y] : band.pixels()) {
+    for (const auto [x, y] : band_.pixels()) {
       const int r = run_at(x, y);
       if (r < 0) continue;
       for (const int other : {run_at(x + 1, y), run_at(x, y + 1)})
@@ -308,7 +306,7 @@ class Blotter {
   std::vector<Vec2> junctions_;
   std::size_t settled_;
   double isolated_;
-  const Ink& ink_;
+  const InkBand& band_;
   const Raster<std::uint8_t>& drawn_;
   BlotOptions options_;
   std::vector<std::vector<int>> run_of_;  // per chain and point: its run, or -1
@@ -323,9 +321,11 @@ Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions,
                     const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
   const std::size_t old = junctions.size();
   Blots blots{std::move(ridges), std::move(junctions)};
+  const double rim = std::max(0.0, 0.5 * (options.pen - ink.stroke_width));
+  const InkBand band(ink, options.bridge + rim);
   // Short parts that seem confirmed may be strokes, or lie inside a blot: the first is tried first.
   for (const double isolated : {kIsolated * ink.stroke_width, std::max(kIsolated * ink.stroke_width, options.pen)})
-    blots = Blotter(std::move(blots), old, isolated, ink, drawn, options).meet();
+    blots = Blotter(std::move(blots), old, isolated, band, drawn, options).meet();
   return blots;
 }
 

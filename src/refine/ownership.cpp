@@ -1,6 +1,5 @@
 #include "refine/ownership.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -9,12 +8,14 @@
 namespace inkgrid {
 
 InkBand::InkBand(const Ink& ink, double reach) : numbers_(ink.width() + 2, ink.height() + 2) {
-  const auto is_near = [&, farthest = static_cast<float>(reach)](float gap) { return gap <= farthest; };
+  const auto farthest = static_cast<float>(reach);
+  const int width = ink.width();
   for (int y = 0; y < ink.height(); ++y) {
-    const float *const first = &ink.gap(0, y), *const last = first + ink.width();
-    for (const float* next = first; (next = std::find_if(next, last, is_near)) != last; ++next) {
-      const int x = static_cast<int>(next - first);
-      numbers_.set(x + 1, y + 1, static_cast<int>(pixels_.size()));
+    const float* const gaps = &ink.gap(0, y);
+    const std::size_t row = numbers_.place(1, y + 1);
+    for (int x = 0; x < width; ++x) {
+      if (gaps[x] > farthest) continue;
+      numbers_.set(row + static_cast<std::size_t>(x), static_cast<int>(pixels_.size()));
       pixels_.push_back({x, y});
     }
   }
