@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawn_bands.h"
@@ -49,6 +50,24 @@ TEST(Preset, FineStrokesWithCornersAreClean) {
     }
     EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean) << pen;
   }
+}
+
+TEST(Preset, AnEnlargedPictureOfFineStrokesIsClean) {
+  Image small = blank(200, 200), image = blank(400, 400);
+  for (double y = 30; y < 170; y += 6) paint(small, wave(y, 0.1 * y), 2);
+  const auto of_small = [&](double x, double y) {
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    const auto grey = [&](int px, int py) {
+      return static_cast<double>(small.grey[static_cast<std::size_t>(std::clamp(py, 0, 199) * 200 + std::clamp(px, 0, 199))]);
+    };
+    return std::lerp(std::lerp(grey(x0, y0), grey(x0 + 1, y0), x - x0), std::lerp(grey(x0, y0 + 1), grey(x0 + 1, y0 + 1), x - x0),
+                     y - y0);
+  };
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 400; ++x)
+      image.grey[static_cast<std::size_t>(y * 400 + x)] = static_cast<std::uint8_t>(of_small(0.5 * x - 0.25, 0.5 * y - 0.25));
+  EXPECT_GT(measure_sketchiness(ink_of(image)).opacity_spread, 0.05) << "what the test is about";
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
 }
 
 TEST(Preset, BlackStrokesWithSlitsAreRough) {

@@ -7,7 +7,8 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kSpreadOpacity = 0.05;
+constexpr double kSpreadOpacity = 0.065;  // where much is pale
+constexpr double kSpreadCentres = 0.11;   // anyway
 constexpr float kFullyDark = 0.97F;
 constexpr double kMuchPale = 0.25;
 constexpr double kEnoughInside = 0.15;
@@ -19,23 +20,42 @@ constexpr double kFinePen = 4;        // px: a slimmer pen has no details below 
 constexpr double kFinest = 0.5;
 constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
 
+class Spread {
+ public:
+  void add(double value) {
+    sum_ += value;
+    squares_ += value * value;
+    ++count_;
+  }
+
+  double count() const { return static_cast<double>(count_); }
+
+  double deviation() const {
+    const double mean = sum_ / std::max(1.0, count());
+    return std::sqrt(std::max(0.0, squares_ / std::max(1.0, count()) - mean * mean));
+  }
+
+ private:
+  double sum_ = 0, squares_ = 0;
+  long count_ = 0;
+};
+
 // The rim of a stroke is grey for other reasons.
 void measure_opacity(const Ink& ink, Sketchiness& sketchiness) {
-  double sum = 0, squares = 0;
-  long count = 0, pale = 0;
+  Spread inside, centres;
+  long pale = 0;
   for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
     if (ink.depth.data[i] < 2) continue;
-    const double dark = static_cast<double>(ink.darkness.data[i]);
-    sum += dark;
-    squares += dark * dark;
-    ++count;
-    pale += ink.darkness.data[i] < kFullyDark;
+    const float dark = ink.darkness.data[i];
+    inside.add(static_cast<double>(dark));
+    if (ink.rise.data[i] < 1) continue;
+    centres.add(static_cast<double>(dark));
+    pale += dark < kFullyDark;
   }
-  if (count == 0) return;
-  const auto n = static_cast<double>(count);
-  sketchiness.inside = n / static_cast<double>(ink.pixels);
-  sketchiness.opacity_spread = std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
-  sketchiness.pale = static_cast<double>(pale) / n;
+  sketchiness.inside = inside.count() / static_cast<double>(ink.pixels);
+  sketchiness.opacity_spread = inside.deviation();
+  sketchiness.centre_spread = centres.deviation();
+  sketchiness.pale = static_cast<double>(pale) / std::max(1.0, centres.count());
 }
 
 double slit_share(const Ink& ink) {
@@ -69,9 +89,9 @@ Sketchiness measure_sketchiness(const Ink& ink) {
 Preset choose_preset(Preset given, const Ink& ink) {
   if (given != Preset::automatic) return given;
   const Sketchiness s = measure_sketchiness(ink);
-  const bool unequal = s.inside > kEnoughInside && s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale;
+  const bool unequal = s.centre_spread > kSpreadCentres || (s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale);
   const bool overdrawn = s.slits > kManySlits && s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
-  return unequal || overdrawn ? Preset::rough : Preset::clean;
+  return (unequal && s.inside > kEnoughInside) || overdrawn ? Preset::rough : Preset::clean;
 }
 
 PresetValues preset_values(Preset preset, double stroke_width) {

@@ -13,7 +13,8 @@ namespace inkgrid {
 struct Sketchiness {
   double inside = 0;          // share of the ink of which the darkness is not that of a rim
   double opacity_spread = 0;  // standard deviation of the darkness there: overdrawn strokes differ
-  double pale = 0;            // share of it that is less than fully dark
+  double centre_spread = 0;   // the same on the centre lines there, where no blurred rim reaches
+  double pale = 0;            // share of those that is less than fully dark
   double slits = 0;           // paper between strokes closer than 0.6 stroke widths, over the ink
   double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes
 };
