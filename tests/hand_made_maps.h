@@ -10,15 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/at.h"
 #include "map/grid_map.h"
 
 namespace inkgrid::testing {
 
 inline constexpr double kPi = std::numbers::pi;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 inline Vec2 direction(double angle) {
   return {std::cos(angle), std::sin(angle)};

@@ -1,13 +1,14 @@
-// Element i of a vector or array, for the int indices that meshes and graphs use.
+// The place in a container of an index that meshes and graphs hold as an int.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 
 namespace inkgrid {
 
-template <class Values>
-constexpr auto& at(Values& values, int i) {
-  return values[static_cast<std::size_t>(i)];
+template <std::integral Integer>
+constexpr std::size_t at(Integer index) {
+  return static_cast<std::size_t>(index);
 }
 
 }  // namespace inkgrid

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
@@ -21,7 +23,7 @@ class Contours {
   std::vector<std::vector<Vec2>> lines() {
     std::vector<std::vector<Vec2>> lines;
     for (int first = 0; first < static_cast<int>(next_.size()); ++first)
-      if (next_[static_cast<std::size_t>(first)] >= 0) lines.push_back(line_from(first));
+      if (next_[at(first)] >= 0) lines.push_back(line_from(first));
     return lines;
   }
 
@@ -50,7 +52,7 @@ class Contours {
       do {
         entry = saddle && !joined ? entry + 3 : entry + 1;
       } while (inside(entry % 4) || !inside(entry % 4 + 1));
-      next_[static_cast<std::size_t>(edges[k])] = edges[entry % 4];
+      next_[at(edges[k])] = edges[entry % 4];
     }
   }
 
@@ -66,7 +68,7 @@ class Contours {
     std::vector<Vec2> line;
     for (int e = first; e >= 0;) {
       line.push_back(crossing(e));
-      e = std::exchange(next_[static_cast<std::size_t>(e)], -1);
+      e = std::exchange(next_[at(e)], -1);
     }
     line.back() = line.front();
     return line;

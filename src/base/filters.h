@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/at.h"
 #include "base/raster.h"
 
 namespace inkgrid {
@@ -27,9 +28,9 @@ void filter_lines(Raster<float>& raster, Filter filter) {
   }
   line.resize(static_cast<std::size_t>(raster.height));
   for (int x = 0; x < raster.width; ++x) {
-    for (int y = 0; y < raster.height; ++y) line[static_cast<std::size_t>(y)] = raster(x, y);
+    for (int y = 0; y < raster.height; ++y) line[at(y)] = raster(x, y);
     filter(line);
-    for (int y = 0; y < raster.height; ++y) raster(x, y) = line[static_cast<std::size_t>(y)];
+    for (int y = 0; y < raster.height; ++y) raster(x, y) = line[at(y)];
   }
 }
 

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 class UnionFind {
@@ -11,9 +13,9 @@ class UnionFind {
   explicit UnionFind(int n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
 
   int find(int i) {
-    while (parent_[static_cast<std::size_t>(i)] != i) {
-      int& p = parent_[static_cast<std::size_t>(i)];
-      p = parent_[static_cast<std::size_t>(p)];
+    while (parent_[at(i)] != i) {
+      int& p = parent_[at(i)];
+      p = parent_[at(p)];
       i = p;
     }
     return i;
@@ -22,7 +24,7 @@ class UnionFind {
   void unite(int a, int b) {
     a = find(a);
     b = find(b);
-    if (a != b) parent_[static_cast<std::size_t>(a > b ? a : b)] = a < b ? a : b;
+    if (a != b) parent_[at(a > b ? a : b)] = a < b ? a : b;
   }
 
  private:

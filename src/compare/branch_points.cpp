@@ -18,17 +18,17 @@ std::vector<Vec2> merged(const std::vector<Vec2>& points, double radius) {
   for (const Vec2 point : points) neighbours.push_back(tree.within(point, radius));
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(neighbours, a).size() > at(neighbours, b).size(); });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return neighbours[at(a)].size() > neighbours[at(b)].size(); });
   std::vector<bool> taken(points.size());
   std::vector<Vec2> means;
   for (const int i : order) {
-    if (taken[static_cast<std::size_t>(i)]) continue;
+    if (taken[at(i)]) continue;
     Vec2 sum;
     int count = 0;
-    for (const int j : at(neighbours, i)) {
-      if (taken[static_cast<std::size_t>(j)]) continue;
-      taken[static_cast<std::size_t>(j)] = true;
-      sum += at(points, j);
+    for (const int j : neighbours[at(i)]) {
+      if (taken[at(j)]) continue;
+      taken[at(j)] = true;
+      sum += points[at(j)];
       ++count;
     }
     means.push_back(sum / count);
@@ -53,17 +53,15 @@ struct Run {
   bool at_end = false;
   double distance = 0;  // to the centre, px
 
-  bool at_seam(const CurveSamples& samples) const {
-    return samples.closed[static_cast<std::size_t>(curve)] && (at_start || at_end);
-  }
+  bool at_seam(const CurveSamples& samples) const { return samples.closed[at(curve)] && (at_start || at_end); }
 };
 
 Run run_of(const CurveSamples& samples, const std::vector<int>& inside, std::size_t begin, std::size_t end, Vec2 centre) {
   const int first = inside[begin], last = inside[end - 1];
-  Run run{at(samples.curves, first), first == 0, last + 1 == samples.size(), norm(at(samples.points, first) - centre)};
-  run.at_start = run.at_start || at(samples.curves, first - 1) != run.curve;
-  run.at_end = run.at_end || at(samples.curves, last + 1) != run.curve;
-  for (std::size_t i = begin; i < end; ++i) run.distance = std::min(run.distance, norm(at(samples.points, inside[i]) - centre));
+  Run run{samples.curves[at(first)], first == 0, last + 1 == samples.size(), norm(samples.points[at(first)] - centre)};
+  run.at_start = run.at_start || samples.curves[at(first - 1)] != run.curve;
+  run.at_end = run.at_end || samples.curves[at(last + 1)] != run.curve;
+  for (std::size_t i = begin; i < end; ++i) run.distance = std::min(run.distance, norm(samples.points[at(inside[i])] - centre));
   return run;
 }
 
@@ -72,7 +70,7 @@ std::vector<Run> runs_inside(const CurveSamples& samples, Vec2 centre, double ra
   std::vector<Run> runs;
   for (std::size_t begin = 0, end = 0; begin < inside.size(); begin = end) {
     for (end = begin + 1; end < inside.size(); ++end)
-      if (inside[end] != inside[end - 1] + 1 || at(samples.curves, inside[end]) != at(samples.curves, inside[begin])) break;
+      if (inside[end] != inside[end - 1] + 1 || samples.curves[at(inside[end])] != samples.curves[at(inside[begin])]) break;
     runs.push_back(run_of(samples, inside, begin, end, centre));
   }
   return runs;
@@ -130,13 +128,13 @@ PointAgreement match_points(const std::vector<Vec2>& result, const std::vector<V
   const PointTree tree(truth);
   std::vector<std::tuple<double, int, int>> pairs;
   for (int i = 0; i < static_cast<int>(result.size()); ++i)
-    for (const int j : tree.within(at(result, i), radius)) pairs.emplace_back(norm(at(result, i) - at(truth, j)), i, j);
+    for (const int j : tree.within(result[at(i)], radius)) pairs.emplace_back(norm(result[at(i)] - truth[at(j)]), i, j);
   std::sort(pairs.begin(), pairs.end());
   std::vector<bool> result_taken(result.size()), truth_taken(truth.size());
   int count = 0;
   for (const auto& [distance, i, j] : pairs) {
-    if (result_taken[static_cast<std::size_t>(i)] || truth_taken[static_cast<std::size_t>(j)]) continue;
-    result_taken[static_cast<std::size_t>(i)] = truth_taken[static_cast<std::size_t>(j)] = true;
+    if (result_taken[at(i)] || truth_taken[at(j)]) continue;
+    result_taken[at(i)] = truth_taken[at(j)] = true;
     ++count;
   }
   PointAgreement agreement;

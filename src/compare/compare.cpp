@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/at.h"
 #include "compare/branch_points.h"
 #include "compare/curve_samples.h"
 #include "inkgrid/inkgrid.h"
@@ -65,9 +66,8 @@ bool same_direction(double a, double b) {
 Found found_with_tangents(const CurveSamples& here, const CurveSamples& there, double tolerance) {
   Found found;
   for (std::size_t i = 0; i < here.points.size(); ++i)
-    found.push_back(there.tree.any_within(here.points[i], tolerance, [&](int j) {
-      return same_direction(here.angles[i], there.angles[static_cast<std::size_t>(j)]);
-    }));
+    found.push_back(there.tree.any_within(here.points[i], tolerance,
+                                          [&](int j) { return same_direction(here.angles[i], there.angles[at(j)]); }));
   return found;
 }
 
@@ -149,8 +149,7 @@ CurveCounts count_curves(const SvgDocument& document, const CurveSamples& sample
   counts.segments = counts.lines + counts.quadratics + counts.cubics;
   counts.length = samples.length;
   std::vector<double> lengths(samples.polylines.size());
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-    lengths[static_cast<std::size_t>(samples.curves[i])] += samples.weights[i];
+  for (std::size_t i = 0; i < samples.points.size(); ++i) lengths[at(samples.curves[i])] += samples.weights[i];
   counts.mean_length = ratio(samples.length, static_cast<double>(lengths.size()));
   counts.median_length = median(std::move(lengths));
   return counts;
@@ -167,7 +166,7 @@ void compare_lengths(Comparison& c, const Pair& pair) {
   c.duplicate_ratio = ratio(found_length(pair.result, in_truth), found_length(pair.truth, in_result));
   Found overdrawn, found_overdrawn;
   for (std::size_t i = 0; i < in_result.size(); ++i) {
-    overdrawn.push_back(pair.truth.overdrawn[static_cast<std::size_t>(pair.truth.curves[i])]);
+    overdrawn.push_back(pair.truth.overdrawn[at(pair.truth.curves[i])]);
     found_overdrawn.push_back(overdrawn[i] && in_result[i]);
   }
   if (const double whole = found_length(pair.truth, overdrawn); whole > 0)

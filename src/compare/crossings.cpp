@@ -46,7 +46,7 @@ std::vector<Piece> all_pieces(const std::vector<std::vector<Vec2>>& polylines) {
     const auto& line = polylines[k];
     const int n = static_cast<int>(line.size()) - 1;
     const bool closed = norm(line.front() - line.back()) < kSeam;
-    for (int i = 0; i < n; ++i) pieces.push_back({at(line, i), at(line, i + 1), static_cast<int>(k), i, n, closed});
+    for (int i = 0; i < n; ++i) pieces.push_back({line[at(i)], line[at(i + 1)], static_cast<int>(k), i, n, closed});
   }
   return pieces;
 }
@@ -93,7 +93,7 @@ std::vector<std::pair<int, int>> crossing_pairs(const std::vector<Piece>& pieces
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t j = i + 1; j < cells.size() && cells[j].x == cells[i].x && cells[j].y == cells[i].y; ++j) {
-      const Piece &p = at(pieces, cells[i].piece), &q = at(pieces, cells[j].piece);
+      const Piece &p = pieces[at(cells[i].piece)], &q = pieces[at(cells[j].piece)];
       if (!are_neighbours(p, q) && crossing(p, q)) pairs.emplace_back(cells[i].piece, cells[j].piece);
       if (pairs.size() > kMostPairs) throw Error(ErrorCode::file, "the curves cross each other too often to be compared");
     }
@@ -123,7 +123,7 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& polyline) {
 std::vector<Vec2> crossings(const std::vector<std::vector<Vec2>>& polylines) {
   const std::vector<Piece> pieces = all_pieces(polylines);
   std::vector<Vec2> points;
-  for (const auto& [p, q] : crossing_pairs(pieces)) points.push_back(*crossing(at(pieces, p), at(pieces, q)));
+  for (const auto& [p, q] : crossing_pairs(pieces)) points.push_back(*crossing(pieces[at(p)], pieces[at(q)]));
   return points;
 }
 

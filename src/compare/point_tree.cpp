@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 PointTree::PointTree(const std::vector<Vec2>& points) {
@@ -21,7 +23,7 @@ void PointTree::build(int begin, int end) {
     const double u = by_y ? a.point.y : a.point.x, v = by_y ? b.point.y : b.point.x;
     return u != v ? u < v : a.index < b.index;
   });
-  nodes_[static_cast<std::size_t>(middle)].by_y = by_y;
+  nodes_[at(middle)].by_y = by_y;
   build(begin, middle);
   build(middle + 1, end);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/at.h"
 #include "inkgrid/vec2.h"
 
 namespace inkgrid {
@@ -36,7 +37,7 @@ class PointTree {
   };
 
   int size() const { return static_cast<int>(nodes_.size()); }
-  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  const Node& node(int i) const { return nodes_[at(i)]; }
   void build(int begin, int end);
   void nearest(Vec2 p, int begin, int end, double& squared) const;
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/at.h"
 #include "base/decimal.h"
 #include "compare/svg_style.h"
 #include "compare/xml.h"
@@ -223,7 +224,7 @@ Extent extent_of(const std::vector<SubPath>& paths) {
   for (const SubPath& path : paths)
     for (const PathSegment& segment : path)
       for (int i = 0; i <= segment.degree; ++i) {
-        const Vec2 p = segment.points[static_cast<std::size_t>(i)];
+        const Vec2 p = segment.points[at(i)];
         least = {std::min(least.x, p.x), std::min(least.y, p.y)};
         most = {std::max(most.x, p.x), std::max(most.y, p.y)};
       }

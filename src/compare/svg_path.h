@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/at.h"
 #include "inkgrid/vec2.h"
 
 namespace inkgrid {
@@ -17,7 +18,7 @@ struct PathSegment {
   int degree = 1;              // 1: line, 2: quadratic, 3: cubic
 
   Vec2 front() const { return points[0]; }
-  Vec2 back() const { return points[static_cast<std::size_t>(degree)]; }
+  Vec2 back() const { return points[at(degree)]; }
 };
 
 using SubPath = std::vector<PathSegment>;  // each begins where the one before ends; never empty

@@ -1,13 +1,10 @@
 #include "field/field_space.h"
 
+#include "base/at.h"
 #include "base/union_find.h"
 
 namespace inkgrid {
 namespace {
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The ends of the side of the coarse lattice in whose middle p lies; p itself twice where it is a coarse point.
 std::array<LatticePoint, 2> coarse_points(LatticePoint p) {

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/sample.h"
 
 namespace inkgrid {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Balance of the terms (the paper leaves it to Bessmeltsev and Solomon 2019); with these the energy does not change when the
 // drawing is scaled.
@@ -103,8 +100,7 @@ void for_each_pixel(const std::array<Vec2, 3>& p, int width, int height, Visit v
 
 std::array<Vec2, 3> corners(const BandMesh& mesh, std::size_t f) {
   const auto& t = mesh.faces[f];
-  return {mesh.points[static_cast<std::size_t>(t[0])], mesh.points[static_cast<std::size_t>(t[1])],
-          mesh.points[static_cast<std::size_t>(t[2])]};
+  return {mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]};
 }
 
 // The nodes that the corners of a face are made of, and how much of each is in each corner.

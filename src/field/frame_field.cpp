@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/at.h"
 #include "field/field_system.h"
 
 namespace inkgrid {
@@ -11,10 +12,6 @@ namespace {
 
 constexpr int kMostIterations = 200;  // of a re-weighting round
 constexpr double kResidual = 1e-4;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // i z
 Complex quarter_turned(Complex z) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/at.h"
 #include "base/digest.h"
 #include "base/parallel.h"
 #include "fit/fit_samples.h"
@@ -24,10 +25,6 @@ constexpr int kRecuts = 10;         // of a stretch that stays outside the toler
 constexpr double kRecutFactor = 0.75;
 constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 30;  // of least squares
 constexpr double kStraight = 0.12;  // of the tolerance: added to the error of the curve that a line is compared with
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Cubic straight(Vec2 a, Vec2 b) {
   return {a, lerp(a, b, 1.0 / 3), lerp(a, b, 2.0 / 3), b};
@@ -66,17 +63,17 @@ SplineFit initial_fit(const Samples& samples, const std::vector<int>& cuts) {
   SplineFit fit;
   fit.spline.closed = samples.closed;
   fit.feet.assign(samples.points.size(), 0);
-  std::vector<Vec2> directions(index(n + 1));
+  std::vector<Vec2> directions(at(n + 1));
   for (int k = 0; k < n; ++k) {
-    const int a = cuts[index(k)], b = cuts[index(k + 1)];
+    const int a = cuts[at(k)], b = cuts[at(k + 1)];
     const Cubic c = fit_span(turns, a, b).cubic;
-    directions[index(k)] += norm(c.p3 - c.p0) * end_direction(c.p1 - c.p0, c.p3 - c.p0);
-    directions[index(k + 1)] += norm(c.p3 - c.p0) * end_direction(c.p3 - c.p2, c.p3 - c.p0);
-    fit.spline.joints.push_back(turns.points[index(a)]);
-    const double start = turns.arc[index(a)], length = turns.arc[index(b)] - start;
+    directions[at(k)] += norm(c.p3 - c.p0) * end_direction(c.p1 - c.p0, c.p3 - c.p0);
+    directions[at(k + 1)] += norm(c.p3 - c.p0) * end_direction(c.p3 - c.p2, c.p3 - c.p0);
+    fit.spline.joints.push_back(turns.points[at(a)]);
+    const double start = turns.arc[at(a)], length = turns.arc[at(b)] - start;
     const auto handle = [&](Vec2 v) { return std::clamp(norm(v), 0.1 * length, 0.6 * length); };
     fit.spline.handles.push_back({handle(c.p1 - c.p0), handle(c.p3 - c.p2)});
-    for (int i = a; i < b; ++i) fit.feet[index(i % last)] = k + (turns.arc[index(i)] - start) / length;
+    for (int i = a; i < b; ++i) fit.feet[at(i % last)] = k + (turns.arc[at(i)] - start) / length;
   }
   if (samples.closed) {
     directions.front() += directions.back(), directions.pop_back();
@@ -141,9 +138,9 @@ Stretch cut_out(SplineFit& fit, const Samples& samples, int first, int count) {
   stretch.options.pin_start_angle = samples.closed || stretch.first > 0;
   stretch.options.pin_end_angle = samples.closed || stretch.first + stretch.count < n;
   for (int k = stretch.first; k <= stretch.first + stretch.count; ++k) {
-    stretch.fit.spline.joints.push_back(fit.spline.joints[index(k)]);
-    stretch.fit.spline.angles.push_back(fit.spline.angles[index(k)]);
-    if (k < stretch.first + stretch.count) stretch.fit.spline.handles.push_back(fit.spline.handles[index(k)]);
+    stretch.fit.spline.joints.push_back(fit.spline.joints[at(k)]);
+    stretch.fit.spline.angles.push_back(fit.spline.angles[at(k)]);
+    if (k < stretch.first + stretch.count) stretch.fit.spline.handles.push_back(fit.spline.handles[at(k)]);
   }
   std::vector<std::size_t>& numbers = stretch.numbers;
   for (std::size_t i = 0; i + (samples.closed ? 1 : 0) < fit.feet.size(); ++i)
@@ -218,7 +215,7 @@ void mend_failing(SplineFit& fit, const Samples& samples, const FitOptions& opti
     mend(stretch, options);
     put_back(fit, stretch);
     const auto start = worst.erase(worst.begin() + stretch.first, worst.begin() + stretch.first + stretch.count);
-    worst.insert(start, index(stretch.fit.spline.segments()), 0.0);
+    worst.insert(start, at(stretch.fit.spline.segments()), 0.0);
   }
 }
 
@@ -226,7 +223,7 @@ void mend_failing(SplineFit& fit, const Samples& samples, const FitOptions& opti
 bool may_join(const Stretch& stretch, int joint, double tolerance) {
   int first = -1, last = -1;
   for (int i = 0; i < static_cast<int>(stretch.fit.feet.size()); ++i) {
-    const double foot = stretch.fit.feet[index(i)];
+    const double foot = stretch.fit.feet[at(i)];
     if (foot < joint - 1 || foot > joint + 1) continue;
     if (first < 0) first = i;
     if (last >= 0 && i > last + 2) return true;  // over the seam: no range of points
@@ -389,8 +386,7 @@ Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::v
   const int count = static_cast<int>(chains.chains.size());
   std::vector<Curve> curves(chains.chains.size());
   for_ranges(options.threads, count, 1, [&](int first, int last) {
-    for (int c = first; c < last; ++c)
-      curves[static_cast<std::size_t>(c)] = curve_of(chains.chains[static_cast<std::size_t>(c)], options, known);
+    for (int c = first; c < last; ++c) curves[at(c)] = curve_of(chains.chains[at(c)], options, known);
   });
   Drawing drawing;
   drawing.junctions = chains.junctions;

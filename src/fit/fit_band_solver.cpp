@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 BandSystem::BandSystem(int count, const std::vector<std::array<int, 8>>& groups) {
@@ -13,7 +15,7 @@ BandSystem::BandSystem(int count, const std::vector<std::array<int, 8>>& groups)
     for (const int unknown : group)
       if (unknown >= 0) least = std::min(least, static_cast<std::size_t>(unknown));
     for (const int unknown : group)
-      if (unknown >= 0) first_[static_cast<std::size_t>(unknown)] = std::min(first_[static_cast<std::size_t>(unknown)], least);
+      if (unknown >= 0) first_[at(unknown)] = std::min(first_[at(unknown)], least);
   }
   std::size_t size = 0;
   for (std::size_t i = 0; i < n; ++i) {

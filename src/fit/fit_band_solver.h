@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 class BandSystem {
@@ -15,7 +17,7 @@ class BandSystem {
   BandSystem(int count, const std::vector<std::array<int, 8>>& groups);
 
   double& entry(int row, int column);  // of the symmetric matrix, either triangle
-  double& gradient(int row) { return right_[static_cast<std::size_t>(row)]; }
+  double& gradient(int row) { return right_[at(row)]; }
 
   // matrix * solution = gradient, by Cholesky in place; false where the matrix is not positive definite.
   bool solve(std::vector<double>& solution);

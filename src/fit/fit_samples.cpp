@@ -6,16 +6,14 @@
 #include <numbers>
 #include <optional>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
 constexpr double kCornerTurn = 39 * std::numbers::pi / 180;    // least turn of a corner
 constexpr double kCornerExcess = 34 * std::numbers::pi / 180;  // of which the curvature on both sides explains all but this
 constexpr double kMostSamples = 50000;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Points closer than `least` to their predecessor are dropped, but for the last one, which replaces it.
 std::vector<Vec2> distinct_points(std::span<const Vec2> polyline, bool closed, double least) {
@@ -53,8 +51,8 @@ class EvenLine {
   int offset() const { return offset_; }
   bool closed() const { return closed_; }
   int wrap(int i) const { return closed_ ? ((i % steps_) + steps_) % steps_ : std::clamp(i, 0, steps_); }
-  Vec2 point(int i) const { return points_[index(wrap(i))]; }
-  Vec2 direction(int i) const { return directions_[index(wrap(i))]; }
+  Vec2 point(int i) const { return points_[at(wrap(i))]; }
+  Vec2 direction(int i) const { return directions_[at(wrap(i))]; }
   double turn(int i, int j) const { return std::atan2(cross(direction(i), direction(j)), dot(direction(i), direction(j))); }
 
   // By how much the turn around i exceeds that of the two half windows next to it; 0: no corner.
@@ -85,14 +83,14 @@ class EvenLine {
 // The middle of the best stretch of each run of corner-like places.
 std::vector<int> corner_places(const EvenLine& line) {
   const int first = line.closed() ? 0 : line.offset(), last = line.closed() ? line.steps() - 1 : line.steps() - line.offset();
-  std::vector<double> score(index(line.steps() + 1));
-  for (int i = first; i <= last; ++i) score[index(i)] = line.excess(i);
-  const auto at = [&](int i) { return score[index(line.wrap(i))]; };
+  std::vector<double> score(at(line.steps() + 1));
+  for (int i = first; i <= last; ++i) score[at(i)] = line.excess(i);
+  const auto score_at = [&](int i) { return score[at(line.wrap(i))]; };
   std::vector<int> places;
   for (int i = first; i <= last; ++i) {
-    if (at(i) == 0) continue;
+    if (score_at(i) == 0) continue;
     bool best = true;
-    for (int k = 1; k <= line.offset() && best; ++k) best = at(i) >= at(i + k) && at(i) > at(i - k);
+    for (int k = 1; k <= line.offset() && best; ++k) best = score_at(i) >= score_at(i + k) && score_at(i) > score_at(i - k);
     if (best) places.push_back(i);
   }
   return places;

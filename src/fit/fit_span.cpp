@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at.h"
 #include "fit/fit_spline.h"
 
 namespace inkgrid {
@@ -18,10 +19,6 @@ constexpr double kAlong = 0.05;     // weight of the distance along the curve ag
 constexpr double kTooShort = 1e2;   // cost of a span that is too short
 constexpr double kOverLimit = 1e3;  // cost of a span beyond the limit, against a whole curve at the limit
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 struct Thinned {
   std::array<Vec2, kMostPoints> points;
   std::array<double, kMostPoints> t;
@@ -31,11 +28,11 @@ struct Thinned {
 Thinned thin(const Samples& samples, int first, int last) {
   Thinned thinned;
   thinned.count = std::min(last - first + 1, kMostPoints);
-  const double start = samples.arc[index(first)], length = samples.arc[index(last)] - start;
+  const double start = samples.arc[at(first)], length = samples.arc[at(last)] - start;
   for (int k = 0; k < thinned.count; ++k) {
     const int i = first + static_cast<int>((static_cast<long>(last - first) * k + (thinned.count - 1) / 2) / (thinned.count - 1));
-    thinned.points[index(k)] = samples.points[index(i)];
-    thinned.t[index(k)] = (samples.arc[index(i)] - start) / length;
+    thinned.points[at(k)] = samples.points[at(i)];
+    thinned.t[at(k)] = (samples.arc[at(i)] - start) / length;
   }
   return thinned;
 }
@@ -48,9 +45,9 @@ Cubic fit_by_arc(const Thinned& thinned) {
   Eigen::Matrix<double, 4, 2> right = Eigen::Matrix<double, 4, 2>::Zero();
   const Vec2 origin = thinned.points[0];
   for (int k = 0; k < thinned.count; ++k) {
-    const auto b = bernstein(thinned.t[index(k)]);
+    const auto b = bernstein(thinned.t[at(k)]);
     const Eigen::Vector4d row(b[0], b[1], b[2], b[3]);
-    const Vec2 p = thinned.points[index(k)] - origin;
+    const Vec2 p = thinned.points[at(k)] - origin;
     matrix += row * row.transpose();
     right += row * Eigen::RowVector2d(p.x, p.y);
   }
@@ -61,8 +58,8 @@ Cubic fit_by_arc(const Thinned& thinned) {
 
 void move_parameters(Thinned& thinned, const Cubic& c) {
   for (int k = 1; k + 1 < thinned.count; ++k) {
-    double& t = thinned.t[index(k)];
-    const Vec2 gap = point_on(c, t) - thinned.points[index(k)], velocity = velocity_on(c, t);
+    double& t = thinned.t[at(k)];
+    const Vec2 gap = point_on(c, t) - thinned.points[at(k)], velocity = velocity_on(c, t);
     const double speed2 = norm2(velocity), curve = std::max(speed2 + dot(gap, acceleration_on(c, t)), 0.3 * speed2);
     if (curve > 0) t = std::clamp(t - std::clamp(dot(gap, velocity) / curve, -0.2, 0.2), 0.0, 1.0);
   }
@@ -73,15 +70,14 @@ void improve(Cubic& c, const Thinned& thinned) {
   Matrix8 matrix = Matrix8::Zero();
   Vector8 right = Vector8::Zero();
   for (int k = 0; k < thinned.count; ++k) {
-    const double t = thinned.t[index(k)];
+    const double t = thinned.t[at(k)];
     const auto b = bernstein(t);
-    const Vec2 gap = point_on(c, t) - thinned.points[index(k)], along = fast_unit(velocity_on(c, t)),
-               across = quarter_turn(along);
+    const Vec2 gap = point_on(c, t) - thinned.points[at(k)], along = fast_unit(velocity_on(c, t)), across = quarter_turn(along);
     const double w = k == 0 || k + 1 == thinned.count ? 1 : kAlong;
     Vector8 row, second;
     for (int i = 0; i < 4; ++i) {
-      row[2 * i] = b[index(i)] * across.x, row[2 * i + 1] = b[index(i)] * across.y;
-      second[2 * i] = w * b[index(i)] * along.x, second[2 * i + 1] = w * b[index(i)] * along.y;
+      row[2 * i] = b[at(i)] * across.x, row[2 * i + 1] = b[at(i)] * across.y;
+      second[2 * i] = w * b[at(i)] * along.x, second[2 * i + 1] = w * b[at(i)] * along.y;
     }
     matrix += row * row.transpose() + second * second.transpose();
     right += row * dot(gap, across) + second * (w * dot(gap, along));
@@ -121,16 +117,16 @@ class Cutter {
     const std::vector<int> chosen = cheapest_chain(places);
     std::vector<Bracket> brackets;
     for (const int i : chosen) {
-      const int before = places[index(std::max(i - 1, 0))], at = places[index(i)];
-      const int after = places[index(std::min(i + 1, static_cast<int>(places.size()) - 1))];
-      const bool end = at == first || at == last;
-      brackets.push_back(end ? Bracket{at, at} : Bracket{(before + at + 1) / 2, (at + after) / 2});
+      const int before = places[at(std::max(i - 1, 0))], here = places[at(i)];
+      const int after = places[at(std::min(i + 1, static_cast<int>(places.size()) - 1))];
+      const bool end = here == first || here == last;
+      brackets.push_back(end ? Bracket{here, here} : Bracket{(before + here + 1) / 2, (here + after) / 2});
     }
     return best_cuts(brackets);
   }
 
  private:
-  double length(int a, int b) const { return samples_.arc[index(b)] - samples_.arc[index(a)]; }
+  double length(int a, int b) const { return samples_.arc[at(b)] - samples_.arc[at(a)]; }
 
   struct Cost {
     double value;
@@ -152,7 +148,7 @@ class Cutter {
       int furthest = -1;
       double most = kPolygon * options_.limit;
       for (int i = a + 1; i < b; ++i) {
-        const double d = distance_to_chord(samples_.points[index(i)], samples_.points[index(a)], samples_.points[index(b)]);
+        const double d = distance_to_chord(samples_.points[at(i)], samples_.points[at(a)], samples_.points[at(b)]);
         if (d > most) most = d, furthest = i;
       }
       if (furthest >= 0) {
@@ -178,17 +174,17 @@ class Cutter {
   // Which of the places to cut at, by the shortest path from the first to the last one.
   std::vector<int> cheapest_chain(const std::vector<int>& places) const {
     const int n = static_cast<int>(places.size());
-    std::vector<double> best(index(n), std::numeric_limits<double>::infinity());
-    std::vector<int> from(index(n), -1);
+    std::vector<double> best(at(n), std::numeric_limits<double>::infinity());
+    std::vector<int> from(at(n), -1);
     best[0] = 0;
     for (int i = 0; i + 1 < n; ++i)
       for (int j = i + 1, failed = 0; j < n && failed < 2; ++j) {
-        const auto [value, within] = cost(places[index(i)], places[index(j)]);
-        if (best[index(i)] + value < best[index(j)]) best[index(j)] = best[index(i)] + value, from[index(j)] = i;
+        const auto [value, within] = cost(places[at(i)], places[at(j)]);
+        if (best[at(i)] + value < best[at(j)]) best[at(j)] = best[at(i)] + value, from[at(j)] = i;
         failed = within ? 0 : failed + 1;
       }
     std::vector<int> chain;
-    for (int i = n - 1; i >= 0; i = from[index(i)]) chain.push_back(i);
+    for (int i = n - 1; i >= 0; i = from[at(i)]) chain.push_back(i);
     std::ranges::reverse(chain);
     return chain;
   }
@@ -214,8 +210,8 @@ class Cutter {
     std::vector<int> cuts(brackets.size());
     int chosen = 0;
     for (std::size_t k = brackets.size(); k-- > 0;) {
-      cuts[k] = places[k][index(chosen)];
-      chosen = choices[k][index(chosen)].before;
+      cuts[k] = places[k][at(chosen)];
+      chosen = choices[k][at(chosen)].before;
     }
     return cuts;
   }
@@ -242,7 +238,7 @@ Samples two_turns(const Samples& samples) {
 }
 
 SpanFit fit_span(const Samples& samples, int first, int last) {
-  const Vec2 a = samples.points[index(first)], b = samples.points[index(last)];
+  const Vec2 a = samples.points[at(first)], b = samples.points[at(last)];
   if (last - first < 2) return {{a, lerp(a, b, 1.0 / 3), lerp(a, b, 2.0 / 3), b}, 0, 0};
   Thinned thinned = thin(samples, first, last);
   SpanFit fit{fit_by_arc(thinned), 0, 0};
@@ -253,12 +249,12 @@ SpanFit fit_span(const Samples& samples, int first, int last) {
   move_parameters(thinned, fit.cubic);
   double sum = 0;
   for (int k = 0; k < thinned.count; ++k) {
-    const double d2 = norm2(point_on(fit.cubic, thinned.t[index(k)]) - thinned.points[index(k)]);
+    const double d2 = norm2(point_on(fit.cubic, thinned.t[at(k)]) - thinned.points[at(k)]);
     fit.largest = std::max(fit.largest, d2);
     sum += d2;
   }
   fit.largest = std::sqrt(fit.largest);
-  fit.squares = sum / thinned.count * (samples.arc[index(last)] - samples.arc[index(first)]);
+  fit.squares = sum / thinned.count * (samples.arc[at(last)] - samples.arc[at(first)]);
   return fit;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/at.h"
 #include "fit/fit_band_solver.h"
 
 namespace inkgrid {
@@ -17,10 +18,6 @@ constexpr double kThirdsWeight = 2e-6;  // of the pull of handles towards a thir
 constexpr double kShortestHandle = 0.04, kLongestHandle = 0.8;  // of the segment's length
 constexpr double kSharpestTurn = 55 * std::numbers::pi / 180;   // within 1/16 of a segment's parameter: else it is a kink
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 // The eight unknowns of one segment, in this order.
 enum Unknown { start_x, start_y, start_angle, start_handle, end_handle, end_angle, end_x, end_y, unknowns };
 
@@ -32,19 +29,19 @@ struct LocalSystem {
 // Which global unknown each local one is; -1: pinned.
 std::vector<std::array<int, unknowns>> number_unknowns(const SmoothSpline& spline, const RefineOptions& options, int& count) {
   const int n = spline.segments(), joints = static_cast<int>(spline.joints.size());
-  std::vector<std::array<int, 3>> of_joint(index(joints), {-1, -1, -1});
-  std::vector<std::array<int, unknowns>> of_segment(index(n));
+  std::vector<std::array<int, 3>> of_joint(at(joints), {-1, -1, -1});
+  std::vector<std::array<int, unknowns>> of_segment(at(n));
   count = 0;
   for (int j = 0; j < joints; ++j) {
     const bool end = !spline.closed && (j == 0 || j == n);
-    if (!end) of_joint[index(j)] = {count, count + 1, count + 2}, count += 3;
-    if (end && !(j == 0 ? options.pin_start_angle : options.pin_end_angle)) of_joint[index(j)][2] = count++;
-    if (j < n) of_segment[index(j)][start_handle] = count, of_segment[index(j)][end_handle] = count + 1, count += 2;
+    if (!end) of_joint[at(j)] = {count, count + 1, count + 2}, count += 3;
+    if (end && !(j == 0 ? options.pin_start_angle : options.pin_end_angle)) of_joint[at(j)][2] = count++;
+    if (j < n) of_segment[at(j)][start_handle] = count, of_segment[at(j)][end_handle] = count + 1, count += 2;
   }
   for (int k = 0; k < n; ++k) {
-    const auto& a = of_joint[index(k)];
-    const auto& b = of_joint[index(spline.joint_after(k))];
-    auto& s = of_segment[index(k)];
+    const auto& a = of_joint[at(k)];
+    const auto& b = of_joint[at(spline.joint_after(k))];
+    auto& s = of_segment[at(k)];
     s[start_x] = a[0], s[start_y] = a[1], s[start_angle] = a[2];
     s[end_x] = b[0], s[end_y] = b[1], s[end_angle] = b[2];
   }
@@ -70,7 +67,7 @@ std::vector<Cubic> cubics_of(const SmoothSpline& spline) {
 // One Newton step of a foot towards the nearest point, over a joint if need be.
 double step_foot(const SmoothSpline& spline, const std::vector<Cubic>& cubics, double foot, Vec2 p) {
   const auto [k, t] = place_of(spline, foot);
-  const Cubic& c = cubics[index(k)];
+  const Cubic& c = cubics[at(k)];
   const Vec2 gap = point_on(c, t) - p, velocity = velocity_on(c, t);
   const double slope = dot(gap, velocity), speed2 = norm2(velocity);
   if (speed2 == 0) return foot;
@@ -79,7 +76,7 @@ double step_foot(const SmoothSpline& spline, const std::vector<Cubic>& cubics, d
   if (next >= 0 && next <= 1) return k + next;
   const int n = spline.segments(), other = next < 0 ? k - 1 : k + 1;
   if (!spline.closed && (other < 0 || other >= n)) return next < 0 ? 0 : n;
-  const Cubic& neighbour = cubics[index((other + n) % n)];
+  const Cubic& neighbour = cubics[at((other + n) % n)];
   const double ratio = std::clamp(approximate_length(c) / std::max(approximate_length(neighbour), 1e-12), 0.0, 3.0);
   const double into = std::min(0.3, (next < 0 ? -next : next - 1) * ratio);
   return (other + n) % n + (next < 0 ? 1 - into : into);
@@ -160,7 +157,7 @@ class Fitter {
     double sum = 0;
     for (std::size_t i = 0; i < feet.size(); i += stride_) {
       const auto [k, t] = place_of(spline, feet[i]);
-      sum += weights_[i] * norm2(point_on(cubics[index(k)], t) - samples_.points[i]);
+      sum += weights_[i] * norm2(point_on(cubics[at(k)], t) - samples_.points[i]);
     }
     for (std::size_t k = 0; k < thirds_.size(); ++k)
       for (const double handle : spline.handles[k]) sum += pull_[k] * (handle - thirds_[k]) * (handle - thirds_[k]);
@@ -175,25 +172,25 @@ class Fitter {
     for (std::size_t i = 0; i < feet_.size(); i += stride_) add_point(i);
     for (std::size_t k = 0; k < local_.size(); ++k)
       for (int side = 0; side < 2; ++side) {
-        const auto unknown = index(start_handle + side);
+        const auto unknown = at(start_handle + side);
         local_[k].matrix[unknown][unknown] += pull_[k];
-        local_[k].gradient[unknown] += pull_[k] * (spline_.handles[k][index(side)] - thirds_[k]);
+        local_[k].gradient[unknown] += pull_[k] * (spline_.handles[k][at(side)] - thirds_[k]);
       }
   }
 
   void add_point(std::size_t i) {
     const auto [k, t] = place_of(spline_, feet_[i]);
-    const Vec2 tangent = fast_unit(velocity_on(cubics_[index(k)], t));
-    const Vec2 gap = point_on(cubics_[index(k)], t) - samples_.points[i];
-    const auto row = derivative(cubics_[index(k)], directions_[index(k)], t, quarter_turn(tangent));
+    const Vec2 tangent = fast_unit(velocity_on(cubics_[at(k)], t));
+    const Vec2 gap = point_on(cubics_[at(k)], t) - samples_.points[i];
+    const auto row = derivative(cubics_[at(k)], directions_[at(k)], t, quarter_turn(tangent));
     const double distance = cross(tangent, gap);
-    LocalSystem& local = local_[index(k)];
+    LocalSystem& local = local_[at(k)];
     for (std::size_t a = 0; a < unknowns; ++a) {
       const double scaled = weights_[i] * row[a];
       local.gradient[a] += scaled * distance;
       for (std::size_t b = 0; b <= a; ++b) local.matrix[a][b] += scaled * row[b];
     }
-    pull_[index(k)] += kThirdsWeight * weights_[i];
+    pull_[at(k)] += kThirdsWeight * weights_[i];
   }
 
   // The lengths by which steps of different unknowns are compared.
@@ -218,7 +215,7 @@ class Fitter {
     proposal = spline_;
     for (std::size_t k = 0; k < local_.size(); ++k) {
       apply(step, k, proposal);
-      const auto end = index(spline_.joint_after(static_cast<int>(k)));
+      const auto end = at(spline_.joint_after(static_cast<int>(k)));
       const std::size_t next = end < thirds_.size() ? end : k;
       if (norm(proposal.joints[end] - spline_.joints[end]) > std::min(thirds_[k], thirds_[next])) return false;
     }
@@ -227,15 +224,15 @@ class Fitter {
 
   void apply(const std::vector<double>& step, std::size_t k, SmoothSpline& proposal) const {
     const auto change = [&](int unknown) {
-      const int global = of_segment_[k][index(unknown)];
-      return global < 0 ? 0.0 : -step[index(global)];
+      const int global = of_segment_[k][at(unknown)];
+      return global < 0 ? 0.0 : -step[at(global)];
     };
     const double length = approximate_length(cubics_[k]);
     for (int side = 0; side < 2; ++side) {
-      double& handle = proposal.handles[k][index(side)];
+      double& handle = proposal.handles[k][at(side)];
       handle = std::clamp(handle + change(start_handle + side), kShortestHandle * length, kLongestHandle * length);
     }
-    const auto end = index(spline_.joint_after(static_cast<int>(k)));
+    const auto end = at(spline_.joint_after(static_cast<int>(k)));
     if (k == 0 && !spline_.closed) proposal.angles[0] += std::clamp(change(start_angle), -0.5, 0.5);
     const double turn = std::clamp(change(end_angle), -0.5, 0.5);
     proposal.angles[end] += turn;
@@ -283,20 +280,20 @@ void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics,
   if (spline.closed && to < from - 0.5 * n) to += n;
   if (to <= from) return;
   const int k = std::clamp(static_cast<int>(from), 0, n - 1);
-  const double length = (to - from) * approximate_length(cubics[index(k)]), edge = norm(b - a);
+  const double length = (to - from) * approximate_length(cubics[at(k)]), edge = norm(b - a);
   const int pieces = 1 + std::clamp(static_cast<int>(length / std::max(edge, 1e-9)), 1, 20);
   for (int i = 1; i < pieces; ++i) {
     const double foot = from + (to - from) * i / pieces;
     const auto [segment, t] = place_of(spline, foot >= n ? foot - n : foot);
-    double& w = worst[index(segment)];
-    w = std::max(w, distance_to_edge(point_on(cubics[index(segment)], t), a, b));
+    double& w = worst[at(segment)];
+    w = std::max(w, distance_to_edge(point_on(cubics[at(segment)], t), a, b));
   }
 }
 
 }  // namespace
 
 Cubic SmoothSpline::cubic(int segment) const {
-  const auto from = index(segment), to = index(joint_after(segment));
+  const auto from = at(segment), to = at(joint_after(segment));
   const Vec2 u{std::cos(angles[from]), std::sin(angles[from])}, v{std::cos(angles[to]), std::sin(angles[to])};
   return {joints[from], joints[from] + handles[from][0] * u, joints[to] - handles[from][1] * v, joints[to]};
 }
@@ -316,7 +313,7 @@ std::vector<double> distances(const SmoothSpline& spline, const Feet& feet, cons
   std::vector<double> result;
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const auto [k, t] = place_of(spline, feet[i]);
-    result.push_back(norm(point_on(cubics[index(k)], t) - samples.points[i]));
+    result.push_back(norm(point_on(cubics[at(k)], t) - samples.points[i]));
   }
   return result;
 }
@@ -326,7 +323,7 @@ std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, con
   std::vector<double> worst(cubics.size(), 0);
   const std::vector<double> gaps = distances(spline, feet, samples);
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    double& w = worst[index(place_of(spline, feet[i]).segment)];
+    double& w = worst[at(place_of(spline, feet[i]).segment)];
     w = std::max(w, gaps[i]);
     if (i > 0) measure_piece(spline, cubics, feet[i - 1], feet[i], samples.points[i - 1], samples.points[i], worst);
   }
@@ -339,9 +336,9 @@ void split_segment(SmoothSpline& spline, Feet& feet, int segment) {
   const Cubic c = spline.cubic(segment);
   const Vec2 velocity = velocity_on(c, 0.5);
   const auto k = static_cast<std::ptrdiff_t>(segment);
-  const auto [out, in] = spline.handles[index(segment)];
+  const auto [out, in] = spline.handles[at(segment)];
   const double middle = norm(velocity) / 6;
-  spline.handles[index(segment)] = {out / 2, middle};
+  spline.handles[at(segment)] = {out / 2, middle};
   spline.handles.insert(spline.handles.begin() + k + 1, {middle, in / 2});
   spline.joints.insert(spline.joints.begin() + k + 1, point_on(c, 0.5));
   spline.angles.insert(spline.angles.begin() + k + 1, std::atan2(velocity.y, velocity.x));
@@ -356,9 +353,9 @@ void join_segments(SmoothSpline& spline, Feet& feet, int joint) {
   const auto j = static_cast<std::ptrdiff_t>(joint);
   const double before = approximate_length(spline.cubic(joint - 1)), after = approximate_length(spline.cubic(joint));
   const double part = before / (before + after);
-  const double out = spline.handles[index(joint - 1)][0] / part, in = spline.handles[index(joint)][1] / (1 - part);
+  const double out = spline.handles[at(joint - 1)][0] / part, in = spline.handles[at(joint)][1] / (1 - part);
   const double most = 0.6 * (before + after);
-  spline.handles[index(joint - 1)] = {std::min(out, most), std::min(in, most)};
+  spline.handles[at(joint - 1)] = {std::min(out, most), std::min(in, most)};
   spline.handles.erase(spline.handles.begin() + j);
   spline.joints.erase(spline.joints.begin() + j);
   spline.angles.erase(spline.angles.begin() + j);

@@ -77,9 +77,9 @@ class Cutter {
   std::vector<int> singular_node_;   // per vertex
   std::vector<int> node_table_;      // of one face: u segments x v segments
 
-  IVec2 uv(int corner) const { return at(map_.uv, corner); }
-  int vertex(int corner) const { return at(mesh_.faces, face_of(corner))[static_cast<std::size_t>(corner % 3)]; }
-  Vec2 point(int corner) const { return at(mesh_.points, vertex(corner)); }
+  IVec2 uv(int corner) const { return map_.uv[at(corner)]; }
+  int vertex(int corner) const { return mesh_.faces[at(face_of(corner))][at(corner % 3)]; }
+  Vec2 point(int corner) const { return mesh_.points[at(vertex(corner))]; }
   bool canonical(int halfedge) const { return vertex(halfedge) < vertex(next_halfedge(halfedge)); }
   std::pair<int, int> canonical_corners(int halfedge) const {
     const int next = next_halfedge(halfedge);
@@ -117,7 +117,7 @@ Cutter::Cutter(const BandMesh& mesh, const ExactMap& map, const std::vector<int>
   link_faces();
   number_crossings();
   for (int f = 0; f < mesh.face_count(); ++f) {
-    if (at(used_, f)) cut_face(f);
+    if (used_[at(f)]) cut_face(f);
   }
 }
 
@@ -135,14 +135,14 @@ bool Cutter::narrow(int face) const {
 
 void Cutter::choose_faces(const std::vector<int>& skipped_components) {
   std::vector<std::uint8_t> skipped(static_cast<std::size_t>(mesh_.components), 0);
-  for (const int c : skipped_components) at(skipped, c) = 1;
+  for (const int c : skipped_components) skipped[at(c)] = 1;
   used_.resize(mesh_.faces.size());
-  for (int f = 0; f < mesh_.face_count(); ++f) at(used_, f) = !at(skipped, at(mesh_.component, f)) && narrow(f);
+  for (int f = 0; f < mesh_.face_count(); ++f) used_[at(f)] = !skipped[at(mesh_.component[at(f)])] && narrow(f);
 }
 
 bool Cutter::transition_holds(int halfedge) const {
-  const Transition& t = at(map_.transitions, halfedge);
-  const int other = at(mesh_.twins, halfedge);
+  const Transition& t = map_.transitions[at(halfedge)];
+  const int other = mesh_.twins[at(halfedge)];
   const IVec2 shift = kFixedOne * t.shift;
   return turned(uv(halfedge), t.turn) + shift == uv(next_halfedge(other)) &&
          turned(uv(next_halfedge(halfedge)), t.turn) + shift == uv(other);
@@ -151,9 +151,9 @@ bool Cutter::transition_holds(int halfedge) const {
 void Cutter::link_faces() {
   result_.twins = mesh_.twins;
   for (int h = 0; h < static_cast<int>(result_.twins.size()); ++h) {
-    int& other = at(result_.twins, h);
+    int& other = result_.twins[at(h)];
     if (other < 0) continue;
-    if (!at(used_, face_of(h)) || !at(used_, face_of(other))) {
+    if (!used_[at(face_of(h))] || !used_[at(face_of(other))]) {
       other = -1;
     } else if (!transition_holds(h)) {
       throw Error(ErrorCode::numerics, "The grid map does not hold its transition functions.");
@@ -165,8 +165,8 @@ void Cutter::number_crossings() {
   first_crossing_.assign(result_.twins.size(), 0);
   std::int64_t count = 0;
   for (int h = 0; h < static_cast<int>(result_.twins.size()); ++h) {
-    if (!at(used_, face_of(h)) || !result_.owns_edge(h)) continue;
-    at(first_crossing_, h) = static_cast<int>(count);
+    if (!used_[at(face_of(h))] || !result_.owns_edge(h)) continue;
+    first_crossing_[at(h)] = static_cast<int>(count);
     count += crossed(h, 0).size() + crossed(h, 1).size();
   }
   result_.crossings.resize(static_cast<std::size_t>(count));
@@ -174,11 +174,11 @@ void Cutter::number_crossings() {
 
 int Cutter::crossing_index(int halfedge, Isoline isoline) const {
   if (!result_.owns_edge(halfedge)) {
-    isoline = transported(isoline, at(map_.transitions, halfedge));
-    halfedge = at(result_.twins, halfedge);
+    isoline = transported(isoline, map_.transitions[at(halfedge)]);
+    halfedge = result_.twins[at(halfedge)];
   }
   const std::int64_t before = isoline.family == 0 ? 0 : crossed(halfedge, 0).size();
-  return at(first_crossing_, halfedge) + static_cast<int>(before + isoline.value - crossed(halfedge, isoline.family).first);
+  return first_crossing_[at(halfedge)] + static_cast<int>(before + isoline.value - crossed(halfedge, isoline.family).first);
 }
 
 // The same in every chart to the last bit: numerator and denominator are exact, and at most both change their sign.
@@ -214,17 +214,17 @@ SegmentEnd Cutter::end_on_edge(int halfedge, Isoline isoline) {
   end.halfedge = halfedge;
   end.crossing = crossing_index(halfedge, isoline);
   // The owner has the smaller face, so it comes first.
-  if (result_.owns_edge(halfedge)) at(result_.crossings, end.crossing).position = crossing_point(halfedge, isoline);
+  if (result_.owns_edge(halfedge)) result_.crossings[at(end.crossing)].position = crossing_point(halfedge, isoline);
   end.at_or_below = end.below = cell(halfedge, isoline);
-  if (at(result_.twins, halfedge) < 0) {
+  if (result_.twins[at(halfedge)] < 0) {
     end.node = static_cast<int>(result_.nodes.size());
-    result_.nodes.push_back({at(result_.crossings, end.crossing).position, NodeKind::boundary, face_of(halfedge)});
+    result_.nodes.push_back({result_.crossings[at(end.crossing)].position, NodeKind::boundary, face_of(halfedge)});
   }
   return end;
 }
 
 SegmentEnd Cutter::end_at_corner(int corner, int family) {
-  int& node = at(singular_node_, vertex(corner));
+  int& node = singular_node_[at(vertex(corner))];
   if (node < 0) {
     node = static_cast<int>(result_.nodes.size());
     result_.nodes.push_back({point(corner), NodeKind::singular, face_of(corner)});
@@ -244,21 +244,21 @@ bool Cutter::runs_inside(int halfedge) const {
 
 std::optional<IsolineSegment> Cutter::cut(int face, Isoline isoline) {
   std::array<int, 3> side;
-  for (int k = 0; k < 3; ++k) at(side, k) = sign(across(uv(3 * face + k), isoline.family) - isoline.value * kFixedOne);
+  for (int k = 0; k < 3; ++k) side[at(k)] = sign(across(uv(3 * face + k), isoline.family) - isoline.value * kFixedOne);
   IsolineSegment segment;
   segment.face = face;
   segment.isoline = isoline;
   int ends = 0;
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
-    const int here = at(side, k);
-    const int next = at(side, (k + 1) % 3);
-    const int previous = at(side, (k + 2) % 3);
-    if (here * next < 0) at(segment.ends, ends++) = end_on_edge(h, isoline);
-    if (here == 0 && next * previous < 0) at(segment.ends, ends++) = end_at_corner(h, isoline.family);
+    const int here = side[at(k)];
+    const int next = side[at((k + 1) % 3)];
+    const int previous = side[at((k + 2) % 3)];
+    if (here * next < 0) segment.ends[at(ends++)] = end_on_edge(h, isoline);
+    if (here == 0 && next * previous < 0) segment.ends[at(ends++)] = end_at_corner(h, isoline.family);
     if (here == 0 && next == 0 && runs_inside(h)) {
-      at(segment.ends, ends++) = end_at_corner(h, isoline.family);
-      at(segment.ends, ends++) = end_at_corner(next_halfedge(h), isoline.family);
+      segment.ends[at(ends++)] = end_at_corner(h, isoline.family);
+      segment.ends[at(ends++)] = end_at_corner(next_halfedge(h), isoline.family);
     }
   }
   if (ends == 0) return std::nullopt;
@@ -282,7 +282,7 @@ void Cutter::cut_face(int face) {
 void Cutter::add_segment(const IsolineSegment& segment) {
   for (const SegmentEnd& end : segment.ends) {
     if (end.crossing < 0) continue;
-    at(result_.crossings, end.crossing).segments[result_.owns_edge(end.halfedge) ? 0 : 1] =
+    result_.crossings[at(end.crossing)].segments[result_.owns_edge(end.halfedge) ? 0 : 1] =
         static_cast<int>(result_.segments.size());
   }
   result_.segments.push_back(segment);
@@ -296,23 +296,23 @@ void Cutter::add_grid_nodes(int first_segment, int first_v_segment) {
   node_table_.assign(static_cast<std::size_t>((first_v_segment - first_segment) * columns), -1);
   for (int i = first_segment; i < first_v_segment; ++i) {
     for (int j = first_v_segment; j < end; ++j) {
-      const IsolineSegment& u = at(result_.segments, i);
-      const IsolineSegment& v = at(result_.segments, j);
+      const IsolineSegment& u = result_.segments[at(i)];
+      const IsolineSegment& v = result_.segments[at(j)];
       if (!passes(u, v.isoline.value) || !passes(v, u.isoline.value)) continue;
-      at(node_table_, (i - first_segment) * columns + j - first_v_segment) = static_cast<int>(result_.nodes.size());
+      node_table_[at((i - first_segment) * columns + j - first_v_segment)] = static_cast<int>(result_.nodes.size());
       result_.nodes.push_back({grid_node_position(u, {u.isoline.value, v.isoline.value}), NodeKind::grid, u.face});
     }
   }
   for (int i = first_segment; i < first_v_segment; ++i)
-    collect_nodes(at(result_.segments, i), (i - first_segment) * columns, 1, columns);
+    collect_nodes(result_.segments[at(i)], (i - first_segment) * columns, 1, columns);
   for (int j = first_v_segment; j < end; ++j)
-    collect_nodes(at(result_.segments, j), j - first_v_segment, columns, first_v_segment - first_segment);
+    collect_nodes(result_.segments[at(j)], j - first_v_segment, columns, first_v_segment - first_segment);
 }
 
 void Cutter::collect_nodes(IsolineSegment& segment, int first, int stride, int count) {
   segment.first_node = static_cast<int>(result_.segment_nodes.size());
   for (int k = 0; k < count; ++k) {
-    const int node = at(node_table_, first + stride * (segment.step > 0 ? k : count - 1 - k));
+    const int node = node_table_[at(first + stride * (segment.step > 0 ? k : count - 1 - k))];
     if (node >= 0) result_.segment_nodes.push_back(node);
   }
   segment.node_count = static_cast<int>(result_.segment_nodes.size()) - segment.first_node;
@@ -322,7 +322,7 @@ void Cutter::collect_nodes(IsolineSegment& segment, int first, int stride, int c
 Vec2 Cutter::grid_node_position(const IsolineSegment& u_segment, IVec2 grid_point) const {
   const auto area = static_cast<double>(orientation(u_segment.face));
   const auto& [a, b] = u_segment.ends;
-  if (area == 0) return (at(result_.crossings, a.crossing).position + at(result_.crossings, b.crossing).position) / 2;
+  if (area == 0) return (result_.crossings[at(a.crossing)].position + result_.crossings[at(b.crossing)].position) / 2;
   Vec2 position;
   for (int k = 0; k < 3; ++k) {
     const int h = next_halfedge(3 * u_segment.face + k);

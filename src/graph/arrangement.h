@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "base/at.h"
 #include "graph/isolines.h"
 
 namespace inkgrid {
@@ -54,7 +55,7 @@ struct Arrangement {
 
   // The halfedge that numbers the crossings of its edge; it has side 0 of them.
   bool owns_edge(int halfedge) const {
-    const int twin = twins[static_cast<std::size_t>(halfedge)];
+    const int twin = twins[at(halfedge)];
     return twin < 0 || halfedge < twin;
   }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "graph/edge_support.h"
@@ -25,8 +26,7 @@ double total_length(const std::vector<Vec2>& points) {
 // Whether the part lies on strokes, along them or across.
 bool on_stroke(const GraphEdge& edge, const BandMesh& mesh, const std::vector<double>& lengths, Interval part) {
   for (std::size_t i = 0; i < edge.faces.size(); ++i)
-    if (lengths[i + 1] > part.from && lengths[i] < part.to && !mesh.in_stroke[static_cast<std::size_t>(edge.faces[i])])
-      return false;
+    if (lengths[i + 1] > part.from && lengths[i] < part.to && !mesh.in_stroke[at(edge.faces[i])]) return false;
   return true;
 }
 
@@ -34,9 +34,7 @@ bool on_stroke(const GraphEdge& edge, const BandMesh& mesh, const std::vector<do
 std::vector<Piece> stroke_pieces(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels,
                                  double width) {
   std::vector<Piece> pieces;
-  const auto is_node = [&](int node) {
-    return node >= 0 && graph.nodes[static_cast<std::size_t>(node)].kind != NodeKind::boundary;
-  };
+  const auto is_node = [&](int node) { return node >= 0 && graph.nodes[at(node)].kind != NodeKind::boundary; };
   for (const auto& edge : graph.edges) {
     const auto lengths = lengths_along(edge.path);
     const double whole = lengths.back();
@@ -73,9 +71,9 @@ class Joiner {
   Joiner(std::vector<Piece> pieces, const IsolineGraph& graph)
       : pieces_(std::move(pieces)), graph_(graph), at_(graph.nodes.size()) {
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-      const auto& p = pieces_[static_cast<std::size_t>(i)];
-      if (p.from >= 0) at_[static_cast<std::size_t>(p.from)].push_back({i, true});
-      if (p.to >= 0) at_[static_cast<std::size_t>(p.to)].push_back({i, false});
+      const auto& p = pieces_[at(i)];
+      if (p.from >= 0) at_[at(p.from)].push_back({i, true});
+      if (p.to >= 0) at_[at(p.to)].push_back({i, false});
     }
   }
 
@@ -87,7 +85,7 @@ class Joiner {
       result_.junctions.push_back(graph_.nodes[n].position);
     }
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-      const auto& p = pieces_[static_cast<std::size_t>(i)];
+      const auto& p = pieces_[at(i)];
       if (p.used) continue;
       if (!passes_through(p.from))
         follow(i, true);
@@ -95,22 +93,22 @@ class Joiner {
         follow(i, false);
     }
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i)
-      if (!pieces_[static_cast<std::size_t>(i)].used) follow(i, true);
+      if (!pieces_[at(i)].used) follow(i, true);
     return std::move(result_);
   }
 
  private:
-  bool passes_through(int node) const { return node >= 0 && at_[static_cast<std::size_t>(node)].size() == 2; }
+  bool passes_through(int node) const { return node >= 0 && at_[at(node)].size() == 2; }
 
-  int junction_at(int node) const { return node >= 0 ? junction_[static_cast<std::size_t>(node)] : -1; }
+  int junction_at(int node) const { return node >= 0 ? junction_[at(node)] : -1; }
 
   void follow(int index, bool forward) {
     Chain chain;
     const int first = index;
-    const auto& start = pieces_[static_cast<std::size_t>(index)];
+    const auto& start = pieces_[at(index)];
     chain.start_junction = junction_at(forward ? start.from : start.to);
     for (;;) {
-      auto& p = pieces_[static_cast<std::size_t>(index)];
+      auto& p = pieces_[at(index)];
       p.used = true;
       auto points = p.points;
       if (!forward) std::reverse(points.begin(), points.end());
@@ -121,10 +119,10 @@ class Joiner {
         chain.closed = node < 0 && chain.points.size() > 2 && chain.points.front() == chain.points.back();
         break;
       }
-      const auto& ends = at_[static_cast<std::size_t>(node)];
+      const auto& ends = at_[at(node)];
       const bool here_is_first = ends[0].piece == index && ends[0].at_start == !forward;
       const PieceEnd next = here_is_first ? ends[1] : ends[0];
-      if (pieces_[static_cast<std::size_t>(next.piece)].used) {
+      if (pieces_[at(next.piece)].used) {
         chain.closed = next.piece == first;
         break;
       }

@@ -70,14 +70,14 @@ Unfolder::Unfolder(IsolineGraph graph, const BandMesh& mesh, const ExactMap& map
 }
 
 void Unfolder::note_ports(int edge) {
-  const GraphEdge& e = at(graph_.edges, edge);
-  if (e.from_port >= 0) at(at(edge_at_port_, e.from), e.from_port) = edge;
-  if (e.to_port >= 0) at(at(edge_at_port_, e.to), e.to_port) = edge;
+  const GraphEdge& e = graph_.edges[at(edge)];
+  if (e.from_port >= 0) edge_at_port_[at(e.from)][at(e.from_port)] = edge;
+  if (e.to_port >= 0) edge_at_port_[at(e.to)][at(e.to_port)] = edge;
 }
 
 // The edge at a port of a grid node, turned so that it starts there.
 GraphEdge& Unfolder::leave(int node, int port) {
-  GraphEdge& e = at(graph_.edges, at(at(edge_at_port_, node), port));
+  GraphEdge& e = graph_.edges[at(edge_at_port_[at(node)][at(port)])];
   if (e.from != node || e.from_port != port) reverse(e);
   return e;
 }
@@ -88,8 +88,8 @@ Transition Unfolder::transport(const GraphEdge& edge) const {
   for (std::size_t i = 1; i < edge.faces.size(); ++i) {
     if (edge.faces[i] == edge.faces[i - 1]) continue;
     int h = 3 * edge.faces[i - 1];
-    while (at(mesh_.twins, h) < 0 || face_of(at(mesh_.twins, h)) != edge.faces[i]) ++h;
-    const Transition& t = at(map_.transitions, h);
+    while (mesh_.twins[at(h)] < 0 || face_of(mesh_.twins[at(h)]) != edge.faces[i]) ++h;
+    const Transition& t = map_.transitions[at(h)];
     total = {(total.turn + t.turn) & 3, turned(total.shift, t.turn) + t.shift};
   }
   return total;
@@ -113,9 +113,9 @@ std::optional<Fold> Unfolder::fold_at(int node) {
 
 // What comes before `first`, the edge from `first` to `second` and what goes on after it become one edge.
 int Unfolder::merge(int first, int first_port, int second, int second_port) {
-  const int before = at(at(edge_at_port_, first), opposite(first_port));
-  const int between = at(at(edge_at_port_, first), first_port);
-  const int after = at(at(edge_at_port_, second), opposite(second_port));
+  const int before = edge_at_port_[at(first)][at(opposite(first_port))];
+  const int between = edge_at_port_[at(first)][at(first_port)];
+  const int after = edge_at_port_[at(second)][at(opposite(second_port))];
   GraphEdge merged;
   if (before == after) {
     merged = leave(first, first_port);
@@ -127,33 +127,33 @@ int Unfolder::merge(int first, int first_port, int second, int second_port) {
     append(merged, leave(first, first_port));
     append(merged, leave(second, opposite(second_port)));
   }
-  at(graph_.edges, between) = std::move(merged);
-  at(removed_edge_, before) = at(removed_edge_, after) = 1;
+  graph_.edges[at(between)] = std::move(merged);
+  removed_edge_[at(before)] = removed_edge_[at(after)] = 1;
   note_ports(between);
   return between;
 }
 
 void Unfolder::remove(const Fold& fold, std::vector<int>& pending) {
   for (int i = 0; i < 2; ++i) {
-    const GraphEdge& merged = at(graph_.edges, merge(fold.first, at(fold.first_ports, i), fold.second, at(fold.second_ports, i)));
+    const GraphEdge& merged = graph_.edges[at(merge(fold.first, fold.first_ports[at(i)], fold.second, fold.second_ports[at(i)]))];
     if (merged.from_port >= 0 && merged.to_port >= 0) pending.push_back(merged.from);  // a new fold would be between these two
   }
-  at(removed_node_, fold.first) = at(removed_node_, fold.second) = 1;
+  removed_node_[at(fold.first)] = removed_node_[at(fold.second)] = 1;
 }
 
 void Unfolder::drop_removed() {
   std::vector<int> number(graph_.nodes.size(), -1);
   IsolineGraph kept;
   for (int n = 0; n < static_cast<int>(number.size()); ++n) {
-    if (at(removed_node_, n)) continue;
-    at(number, n) = static_cast<int>(kept.nodes.size());
-    kept.nodes.push_back(at(graph_.nodes, n));
+    if (removed_node_[at(n)]) continue;
+    number[at(n)] = static_cast<int>(kept.nodes.size());
+    kept.nodes.push_back(graph_.nodes[at(n)]);
   }
   for (int i = 0; i < static_cast<int>(removed_edge_.size()); ++i) {
-    if (at(removed_edge_, i)) continue;
-    GraphEdge& e = at(graph_.edges, i);
-    if (e.from >= 0) e.from = at(number, e.from);
-    if (e.to >= 0) e.to = at(number, e.to);
+    if (removed_edge_[at(i)]) continue;
+    GraphEdge& e = graph_.edges[at(i)];
+    if (e.from >= 0) e.from = number[at(e.from)];
+    if (e.to >= 0) e.to = number[at(e.to)];
     kept.edges.push_back(std::move(e));
   }
   graph_ = std::move(kept);
@@ -162,12 +162,12 @@ void Unfolder::drop_removed() {
 IsolineGraph Unfolder::run() {
   std::vector<int> pending;
   for (int n = static_cast<int>(graph_.nodes.size()) - 1; n >= 0; --n) {
-    if (at(graph_.nodes, n).kind == NodeKind::grid) pending.push_back(n);
+    if (graph_.nodes[at(n)].kind == NodeKind::grid) pending.push_back(n);
   }
   while (!pending.empty()) {
     const int node = pending.back();
     pending.pop_back();
-    if (at(removed_node_, node)) continue;
+    if (removed_node_[at(node)]) continue;
     if (const auto fold = fold_at(node)) remove(*fold, pending);
   }
   drop_removed();

@@ -27,13 +27,13 @@ class Tracer {
   const Arrangement& arrangement_;
   std::vector<std::uint8_t> traced_;  // per piece, segment by segment
 
-  const IsolineSegment& segment(Cursor c) const { return at(arrangement_.segments, c.segment); }
+  const IsolineSegment& segment(Cursor c) const { return arrangement_.segments[at(c.segment)]; }
   // Each segment has one piece more than it has nodes.
   int piece_index(Cursor c) const { return segment(c).first_node + c.segment + c.piece; }
   int node(Cursor c) const;
   int port(Cursor c, int node) const;
   const SegmentEnd& end(Cursor c) const { return segment(c).ends[c.direction > 0 ? 1 : 0]; }
-  Vec2 crossing_point(Cursor c) const { return at(arrangement_.crossings, end(c).crossing).position; }
+  Vec2 crossing_point(Cursor c) const { return arrangement_.crossings[at(end(c).crossing)].position; }
   Cursor next(Cursor c) const;
   GraphEdge follow(Cursor start);
   void trace_pieces(bool closed, std::vector<GraphEdge>& edges);
@@ -47,20 +47,20 @@ constexpr Cursor reversed(Cursor c) {
 int Tracer::node(Cursor c) const {
   const IsolineSegment& s = segment(c);
   const int i = c.direction > 0 ? c.piece : c.piece - 1;
-  return i < 0 || i == s.node_count ? end(c).node : at(arrangement_.segment_nodes, s.first_node + i);
+  return i < 0 || i == s.node_count ? end(c).node : arrangement_.segment_nodes[at(s.first_node + i)];
 }
 
 // Of the node in which the piece ends: the direction from the node back into the piece.
 int Tracer::port(Cursor c, int node) const {
-  if (at(arrangement_.nodes, node).kind != NodeKind::grid) return -1;
+  if (arrangement_.nodes[at(node)].kind != NodeKind::grid) return -1;
   const bool grows_backwards = segment(c).step * c.direction < 0;
   return (segment(c).isoline.family == 0 ? 1 : 0) + (grows_backwards ? 0 : 2);
 }
 
 Cursor Tracer::next(Cursor c) const {
-  const int entered = at(arrangement_.twins, end(c).halfedge);
-  const int next_segment = at(arrangement_.crossings, end(c).crossing).segments[arrangement_.owns_edge(entered) ? 0 : 1];
-  const IsolineSegment& s = at(arrangement_.segments, next_segment);
+  const int entered = arrangement_.twins[at(end(c).halfedge)];
+  const int next_segment = arrangement_.crossings[at(end(c).crossing)].segments[arrangement_.owns_edge(entered) ? 0 : 1];
+  const IsolineSegment& s = arrangement_.segments[at(next_segment)];
   return s.ends[0].halfedge == entered ? Cursor{next_segment, 0, 1} : Cursor{next_segment, s.node_count, -1};
 }
 
@@ -68,13 +68,13 @@ GraphEdge Tracer::follow(Cursor start) {
   GraphEdge edge;
   edge.from = node(reversed(start));
   edge.from_port = edge.from < 0 ? -1 : port(reversed(start), edge.from);
-  edge.path = {edge.from < 0 ? crossing_point(reversed(start)) : at(arrangement_.nodes, edge.from).position};
-  for (Cursor c = start; !at(traced_, piece_index(c)); c = next(c)) {
-    at(traced_, piece_index(c)) = 1;
+  edge.path = {edge.from < 0 ? crossing_point(reversed(start)) : arrangement_.nodes[at(edge.from)].position};
+  for (Cursor c = start; !traced_[at(piece_index(c))]; c = next(c)) {
+    traced_[at(piece_index(c))] = 1;
     edge.faces.push_back(segment(c).face);
     edge.family.push_back(static_cast<std::uint8_t>(segment(c).isoline.family));
     edge.to = node(c);
-    edge.path.push_back(edge.to < 0 ? crossing_point(c) : at(arrangement_.nodes, edge.to).position);
+    edge.path.push_back(edge.to < 0 ? crossing_point(c) : arrangement_.nodes[at(edge.to)].position);
     if (edge.to < 0) continue;
     edge.to_port = port(c, edge.to);
     break;
@@ -84,9 +84,9 @@ GraphEdge Tracer::follow(Cursor start) {
 
 void Tracer::trace_pieces(bool closed, std::vector<GraphEdge>& edges) {
   for (int s = 0; s < static_cast<int>(arrangement_.segments.size()); ++s) {
-    for (int piece = 0; piece <= at(arrangement_.segments, s).node_count; ++piece) {
+    for (int piece = 0; piece <= arrangement_.segments[at(s)].node_count; ++piece) {
       const Cursor forward{s, piece, 1};
-      if (at(traced_, piece_index(forward))) continue;
+      if (traced_[at(piece_index(forward))]) continue;
       if (closed || node(reversed(forward)) >= 0) {
         edges.push_back(follow(forward));
       } else if (node(forward) >= 0) {

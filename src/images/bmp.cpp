@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
@@ -75,7 +77,7 @@ class Runs {
   }
 
   // y: from the lowest row.
-  std::size_t index(long x, long y) const { return indices_[static_cast<std::size_t>(y * header_.width + x)]; }
+  std::size_t index(long x, long y) const { return indices_[at(y * header_.width + x)]; }
 
  private:
   enum Escape : std::uint32_t { kEndOfRow = 0, kEnd = 1, kSkip = 2 };
@@ -113,7 +115,7 @@ class Runs {
 
   void put(std::uint32_t index) {
     if (x_ >= header_.width || y_ >= header_.height) throw std::out_of_range("a run past the end of its row");
-    indices_[static_cast<std::size_t>(y_ * header_.width + x_++)] = static_cast<std::uint8_t>(index);
+    indices_[at(y_ * header_.width + x_++)] = static_cast<std::uint8_t>(index);
   }
 
   const Bytes& bytes_;

@@ -19,6 +19,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/at.h"
 #include "images/bmp.h"
 
 namespace inkgrid {
@@ -142,8 +143,8 @@ std::array<std::array<std::uint8_t, 4>, 256> palette_of(Pix* pix) {
   for (int v = 0; v < values; ++v) {
     int red = values == 2 ? 255 * (1 - v) : 255 * v / (values - 1), green = red, blue = red, alpha = 255;
     if (map && v < pixcmapGetCount(map)) pixcmapGetRGBA(map, v, &red, &green, &blue, &alpha);
-    palette[static_cast<std::size_t>(v)] = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
-                                            static_cast<std::uint8_t>(blue), static_cast<std::uint8_t>(alpha)};
+    palette[at(v)] = {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green), static_cast<std::uint8_t>(blue),
+                      static_cast<std::uint8_t>(alpha)};
   }
   return palette;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/at.h"
 #include "base/sample.h"
 #include "base/union_find.h"
 
@@ -291,15 +292,13 @@ std::vector<int> sorted_by(const std::vector<int>& items, Key key) {
   for (const int item : items) ++next[static_cast<std::size_t>(key(item) - low) + 1];
   for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
   std::vector<int> sorted(items.size());
-  for (const int item : items) sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(item) - low)]++)] = item;
+  for (const int item : items) sorted[at(next[static_cast<std::size_t>(key(item) - low)]++)] = item;
   return sorted;
 }
 
 // Numbers the lattice points that are used, in lattice order.
 void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice& lattice, BandMesh& mesh) {
-  const auto point = [&](int corner) {
-    return triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)];
-  };
+  const auto point = [&](int corner) { return triangles[at(corner / 3)][at(corner % 3)]; };
   std::vector<int> corners(3 * triangles.size());
   std::iota(corners.begin(), corners.end(), 0);
   corners = sorted_by(corners, [&](int c) { return point(c).i; });
@@ -307,7 +306,7 @@ void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice&
   mesh.faces.resize(triangles.size());
   for (const int c : corners) {
     if (mesh.lattice.empty() || !(mesh.lattice.back() == point(c))) mesh.lattice.push_back(point(c));
-    mesh.faces[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)] = static_cast<int>(mesh.lattice.size()) - 1;
+    mesh.faces[at(c / 3)][at(c % 3)] = static_cast<int>(mesh.lattice.size()) - 1;
   }
   mesh.points.reserve(mesh.lattice.size());
   for (const auto p : mesh.lattice) mesh.points.push_back(lattice.at(p));
@@ -315,8 +314,8 @@ void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice&
 
 void link_twins(BandMesh& mesh) {
   const auto ends = [&](int h) {
-    const auto& t = mesh.faces[static_cast<std::size_t>(face_of(h))];
-    return std::minmax(t[static_cast<std::size_t>(h % 3)], t[static_cast<std::size_t>((h + 1) % 3)]);
+    const auto& t = mesh.faces[at(face_of(h))];
+    return std::minmax(t[at(h % 3)], t[at((h + 1) % 3)]);
   };
   std::vector<int> halfedges(3 * mesh.faces.size());
   std::iota(halfedges.begin(), halfedges.end(), 0);
@@ -326,8 +325,8 @@ void link_twins(BandMesh& mesh) {
   for (std::size_t k = 0; k < halfedges.size(); ++k)
     for (std::size_t l = k + 1; l < halfedges.size() && ends(halfedges[l]).first == ends(halfedges[k]).first; ++l) {
       if (ends(halfedges[l]).second != ends(halfedges[k]).second) continue;
-      mesh.twins[static_cast<std::size_t>(halfedges[k])] = halfedges[l];
-      mesh.twins[static_cast<std::size_t>(halfedges[l])] = halfedges[k];
+      mesh.twins[at(halfedges[k])] = halfedges[l];
+      mesh.twins[at(halfedges[l])] = halfedges[k];
     }
 }
 
@@ -335,7 +334,7 @@ void link_twins(BandMesh& mesh) {
 void split_touching_vertices(BandMesh& mesh) {
   UnionFind fans(3 * mesh.face_count());
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int twin = mesh.twins[static_cast<std::size_t>(h)];
+    const int twin = mesh.twins[at(h)];
     if (twin < 0) continue;
     fans.unite(h, next_halfedge(twin));
     fans.unite(next_halfedge(h), twin);
@@ -343,18 +342,18 @@ void split_touching_vertices(BandMesh& mesh) {
   std::vector<int> fan_of_point(mesh.points.size(), -1);
   std::vector<int> vertex_of_fan(3 * mesh.faces.size(), -1);
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    int& vertex = mesh.faces[static_cast<std::size_t>(face_of(h))][static_cast<std::size_t>(h % 3)];
+    int& vertex = mesh.faces[at(face_of(h))][at(h % 3)];
     const int fan = fans.find(h);
-    int& assigned = vertex_of_fan[static_cast<std::size_t>(fan)];
+    int& assigned = vertex_of_fan[at(fan)];
     if (assigned < 0) {
-      int& first = fan_of_point[static_cast<std::size_t>(vertex)];
+      int& first = fan_of_point[at(vertex)];
       if (first < 0) {
         first = fan;
         assigned = vertex;
       } else {
         assigned = mesh.vertex_count();
-        mesh.points.push_back(mesh.points[static_cast<std::size_t>(vertex)]);
-        mesh.lattice.push_back(mesh.lattice[static_cast<std::size_t>(vertex)]);
+        mesh.points.push_back(mesh.points[at(vertex)]);
+        mesh.lattice.push_back(mesh.lattice[at(vertex)]);
         fan_of_point.push_back(fan);
       }
     }
@@ -367,12 +366,12 @@ void split_touching_vertices(BandMesh& mesh) {
 void number_components(BandMesh& mesh) {
   UnionFind sets(mesh.face_count());
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (mesh.twins[static_cast<std::size_t>(h)] >= 0) sets.unite(face_of(h), face_of(mesh.twins[static_cast<std::size_t>(h)]));
+    if (mesh.twins[at(h)] >= 0) sets.unite(face_of(h), face_of(mesh.twins[at(h)]));
   mesh.component.assign(mesh.faces.size(), -1);
   mesh.components = 0;
   for (int f = 0; f < mesh.face_count(); ++f) {
     const int root = sets.find(f);
-    mesh.component[static_cast<std::size_t>(f)] = root == f ? mesh.components++ : mesh.component[static_cast<std::size_t>(root)];
+    mesh.component[at(f)] = root == f ? mesh.components++ : mesh.component[at(root)];
   }
 }
 
@@ -400,10 +399,10 @@ BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& op
 std::vector<std::uint8_t> boundary_vertices(const BandMesh& mesh) {
   std::vector<std::uint8_t> boundary(mesh.points.size(), 0);
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    if (mesh.twins[static_cast<std::size_t>(h)] >= 0) continue;
-    const auto& t = mesh.faces[static_cast<std::size_t>(face_of(h))];
-    boundary[static_cast<std::size_t>(t[static_cast<std::size_t>(h % 3)])] = 1;
-    boundary[static_cast<std::size_t>(t[static_cast<std::size_t>((h + 1) % 3)])] = 1;
+    if (mesh.twins[at(h)] >= 0) continue;
+    const auto& t = mesh.faces[at(face_of(h))];
+    boundary[at(t[static_cast<std::size_t>(h % 3)])] = 1;
+    boundary[at(t[static_cast<std::size_t>((h + 1) % 3)])] = 1;
   }
   return boundary;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "base/at.h"
 #include "ink/ink.h"
 #include "inkgrid/image.h"
 #include "inkgrid/vec2.h"
@@ -37,10 +38,8 @@ struct BandMesh {
   int face_count() const { return static_cast<int>(faces.size()); }
   int vertex_count() const { return static_cast<int>(points.size()); }
   Vec2 barycentre(int f) const {
-    const auto& t = faces[static_cast<std::size_t>(f)];
-    return (points[static_cast<std::size_t>(t[0])] + points[static_cast<std::size_t>(t[1])] +
-            points[static_cast<std::size_t>(t[2])]) /
-           3;
+    const auto& t = faces[at(f)];
+    return (points[at(t[0])] + points[at(t[1])] + points[at(t[2])]) / 3;
   }
 };
 

@@ -24,7 +24,7 @@ std::vector<Box> boxes_of(const Fills& fills) {
   for (int y = 0; y < region.height; ++y)
     for (int x = 0; x < region.width; ++x) {
       if (region(x, y) < 0) continue;
-      Box& box = at(boxes, region(x, y));
+      Box& box = boxes[at(region(x, y))];
       box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
     }
   constexpr int kMargin = kRim + 2;
@@ -92,7 +92,7 @@ std::vector<std::vector<Vec2>> outline_of(int index, const Box& box, const Fills
 void trace_outlines(Fills& fills, const Binarisation& ink) {
   const std::vector<Box> boxes = boxes_of(fills);
   fills.outlines.clear();
-  for (int f = 0; f < fills.count; ++f) fills.outlines.push_back(outline_of(f, at(boxes, f), fills, ink));
+  for (int f = 0; f < fills.count; ++f) fills.outlines.push_back(outline_of(f, boxes[at(f)], fills, ink));
 }
 
 }  // namespace inkgrid

@@ -61,30 +61,30 @@ class Envelope {
   }
 
  private:
-  double square(int x) const { return static_cast<double>(at(columns_, x) * at(columns_, x)); }
+  double square(int x) const { return static_cast<double>(columns_[at(x)] * columns_[at(x)]); }
 
   void transform(int first, int last, float* distances) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     int top = -1;
     for (int q = first; q <= last; ++q) {
-      if (at(columns_, q) == kFar) continue;
+      if (columns_[at(q)] == kFar) continue;
       const double f = square(q) + double(q) * q;
       double s = -kInfinite;
       while (top >= 0) {
-        const int v = at(site_, top);
+        const int v = site_[at(top)];
         s = (f - (square(v) + double(v) * v)) / (2.0 * (q - v));
-        if (s > at(bound_, top)) break;
+        if (s > bound_[at(top)]) break;
         s = -kInfinite;
         --top;
       }
-      at(site_, ++top) = q;
-      at(bound_, top) = s;
-      at(bound_, top + 1) = kInfinite;
+      site_[at(++top)] = q;
+      bound_[at(top)] = s;
+      bound_[at(top + 1)] = kInfinite;
     }
     for (int p = first, k = 0; p <= last; ++p) {
-      while (top >= 0 && at(bound_, k + 1) < p) ++k;
-      const double d = p - at(site_, k);
-      distances[p] = top < 0 ? kNowhere : std::sqrt(static_cast<float>(d * d + square(at(site_, k))));
+      while (top >= 0 && bound_[at(k + 1)] < p) ++k;
+      const double d = p - site_[at(k)];
+      distances[p] = top < 0 ? kNowhere : std::sqrt(static_cast<float>(d * d + square(site_[at(k)])));
     }
   }
 
@@ -141,13 +141,13 @@ void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, doubl
       for (int x = 0; x < w; ++x) {
         const int away = distance(x, y - first);
         if (away > reach) continue;
-        const int half = half_chord[static_cast<std::size_t>(away)];
-        ++change[static_cast<std::size_t>(std::max(0, x - half))];
-        --change[static_cast<std::size_t>(std::min(w, x + half + 1))];
+        const int half = half_chord[at(away)];
+        ++change[at(std::max(0, x - half))];
+        --change[at(std::min(w, x + half + 1))];
       }
       int chords = 0;
       for (int x = 0; x < w; ++x)
-        if (((chords += change[static_cast<std::size_t>(x)]) > 0) == within) visit(x, y);
+        if (((chords += change[at(x)]) > 0) == within) visit(x, y);
     }
   }
 }

@@ -60,7 +60,7 @@ class RunFinder {
   }
 
   bool begins_run(int i, float depth, float variation) const {
-    return at(seen_, i) != round_ && near(at(centres_, i).depth, depth, variation, 0.6F);
+    return seen_[at(i)] != round_ && near(centres_[at(i)].depth, depth, variation, 0.6F);
   }
 
   void mark_run(int first, float depth, float least, Uniformity uniformity) {
@@ -68,20 +68,20 @@ class RunFinder {
     if (length_of(run) < uniformity.length * depth) return;
     const float kernel = std::sqrt(kClassStep) * 1.02F;
     for (const int i : run)
-      if (at(centres_, i).depth > least && near(at(centres_, i).depth, depth, kernel, 0.3F)) at(centres_, i).of_stroke = true;
+      if (centres_[at(i)].depth > least && near(centres_[at(i)].depth, depth, kernel, 0.3F)) centres_[at(i)].of_stroke = true;
   }
 
   std::vector<int> collect(int first, float depth, float variation) {
     std::vector<int> run{first};
-    at(seen_, first) = round_;
+    seen_[at(first)] = round_;
     for (std::size_t k = 0; k < run.size(); ++k) {
-      const CentrePixel here = at(centres_, run[k]);
+      const CentrePixel here = centres_[at(run[k])];
       for (int dy = -kLink; dy <= kLink; ++dy)
         for (int dx = -kLink; dx <= kLink; ++dx) {
           if (!index_.contains(here.x + dx, here.y + dy)) continue;
           const int next = index_(here.x + dx, here.y + dy);
           if (next < 0 || !begins_run(next, depth, variation)) continue;
-          at(seen_, next) = round_;
+          seen_[at(next)] = round_;
           run.push_back(next);
         }
     }
@@ -92,7 +92,7 @@ class RunFinder {
   float length_of(const std::vector<int>& run) const {
     int x0 = index_.width(), y0 = index_.height(), x1 = 0, y1 = 0;
     for (const int i : run) {
-      const CentrePixel& c = at(centres_, i);
+      const CentrePixel& c = centres_[at(i)];
       x0 = std::min(x0, c.x);
       x1 = std::max(x1, c.x);
       y0 = std::min(y0, c.y);

@@ -37,9 +37,9 @@ UnionFind joined(const std::vector<Run>& runs) {
   const int count = static_cast<int>(runs.size());
   UnionFind pieces(count);
   for (int above = 0, i = 0; i < count; ++i) {
-    const Run& run = at(runs, i);
-    while (at(runs, above).y < run.y - 1 || (at(runs, above).y == run.y - 1 && at(runs, above).x1 < run.x0)) ++above;
-    for (int k = above; at(runs, k).y == run.y - 1 && at(runs, k).x0 <= run.x1; ++k) pieces.unite(k, i);
+    const Run& run = runs[at(i)];
+    while (runs[at(above)].y < run.y - 1 || (runs[at(above)].y == run.y - 1 && runs[at(above)].x1 < run.x0)) ++above;
+    for (int k = above; runs[at(k)].y == run.y - 1 && runs[at(k)].x0 <= run.x1; ++k) pieces.unite(k, i);
   }
   return pieces;
 }
@@ -53,9 +53,9 @@ std::vector<Speck> specks_in(const Raster<std::uint8_t>& ink) {
   const std::vector<Run> runs = runs_of_paper(ink);
   UnionFind pieces = joined(runs);
   std::vector<Speck> specks(runs.size());
-  for (int i = 0; i < static_cast<int>(runs.size()); ++i) at(specks, pieces.find(i)).size += at(runs, i).x1 - at(runs, i).x0;
+  for (int i = 0; i < static_cast<int>(runs.size()); ++i) specks[at(pieces.find(i))].size += runs[at(i)].x1 - runs[at(i)].x0;
   for (int i = 0; i < static_cast<int>(runs.size()); ++i)
-    if (Speck& speck = at(specks, pieces.find(i)); speck.size <= kLargest) speck.runs.push_back(at(runs, i));
+    if (Speck& speck = specks[at(pieces.find(i))]; speck.size <= kLargest) speck.runs.push_back(runs[at(i)]);
   std::erase_if(specks, [](const Speck& speck) { return speck.runs.empty(); });
   return specks;
 }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/at.h"
 #include "base/filters.h"
 #include "base/union_find.h"
 #include "inkgrid/inkgrid.h"
@@ -188,15 +189,15 @@ void over_light(const View& view, const Paper& paper, Visit visit) {
   const Axis across(view.width(), paper.block, level.width), down(view.height(), paper.block, level.height);
   std::vector<float> row(static_cast<std::size_t>(level.width + 1));
   for (int y = 0; y < view.height(); ++y) {
-    const int above = down.first[static_cast<std::size_t>(y)], below = std::min(above + 1, level.height - 1);
-    const float v = down.part[static_cast<std::size_t>(y)];
+    const int above = down.first[at(y)], below = std::min(above + 1, level.height - 1);
+    const float v = down.part[at(y)];
     for (int i = 0; i <= level.width; ++i) {
       const int block = std::min(i, level.width - 1);
-      row[static_cast<std::size_t>(i)] = level(block, above) + v * (level(block, below) - level(block, above));
+      row[at(i)] = level(block, above) + v * (level(block, below) - level(block, above));
     }
     for (int x = 0; x < view.width(); ++x) {
-      const auto i = static_cast<std::size_t>(across.first[static_cast<std::size_t>(x)]);
-      const float paper_here = row[i] + across.part[static_cast<std::size_t>(x)] * (row[i + 1] - row[i]);
+      const auto i = static_cast<std::size_t>(across.first[at(x)]);
+      const float paper_here = row[i] + across.part[at(x)] * (row[i + 1] - row[i]);
       visit(x, y, static_cast<float>(view(x, y)) / std::max(1.0f, paper_here));
     }
   }
@@ -235,7 +236,7 @@ void soften(Raster<float>& raster) {
   for (int y = 0; y < raster.height; ++y)
     for (int x = 0; x < raster.width; ++x) {
       const float here = raster(x, y), after = y + 1 < raster.height ? raster(x, y + 1) : here;
-      float& b = before[static_cast<std::size_t>(x)];
+      float& b = before[at(x)];
       raster(x, y) = 0.25f * (b + 2 * here + after);
       b = here;
     }
@@ -363,9 +364,7 @@ void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, int reach, const 
   const std::vector<Run> runs = runs_of(mask, value);
   UnionFind sets = join_runs(runs, reach);
   std::vector<Amount> amounts(runs.size());
-  const auto amount_of = [&](std::size_t run) -> Amount& {
-    return amounts[static_cast<std::size_t>(sets.find(static_cast<int>(run)))];
-  };
+  const auto amount_of = [&](std::size_t run) -> Amount& { return amounts[at(sets.find(static_cast<int>(run)))]; };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Amount& a = amount_of(i);
     for (int x = runs[i].first; x <= runs[i].last; ++x) {

@@ -2,6 +2,7 @@
 
 #include <deque>
 
+#include "base/at.h"
 #include "map/known.h"
 
 namespace inkgrid {
@@ -47,8 +48,8 @@ std::vector<Axes> face_axes(const BandMesh& mesh, const FrameField& field) {
   for (const auto& t : mesh.faces) {
     Complex c0 = 0, c2 = 0;
     for (const int v : t) {
-      c0 += field.c0[static_cast<std::size_t>(v)] / 3.0;
-      c2 += field.c2[static_cast<std::size_t>(v)] / 3.0;
+      c0 += field.c0[at(v)] / 3.0;
+      c2 += field.c2[at(v)] / 3.0;
     }
     axes.push_back(axes_of(frame_of(c0, c2)));
   }
@@ -64,23 +65,23 @@ std::vector<std::uint8_t> comb(const BandMesh& mesh, const Known* known, std::ve
     crossed = known->uncut;
     seen = known->faces;
     for (int f = 0; f < mesh.face_count(); ++f)
-      if (seen[static_cast<std::size_t>(f)]) queue.push_back(f);
+      if (seen[at(f)]) queue.push_back(f);
   }
   // Without a face at first: what is known.
   for (int seed = -1; seed < mesh.face_count(); ++seed) {
-    if (seed >= 0 && !seen[static_cast<std::size_t>(seed)]) {
-      seen[static_cast<std::size_t>(seed)] = 1;
+    if (seed >= 0 && !seen[at(seed)]) {
+      seen[at(seed)] = 1;
       queue.push_back(seed);
     }
     while (!queue.empty()) {
       const int f = queue.front();
       queue.pop_front();
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        const int twin = mesh.twins[static_cast<std::size_t>(h)];
-        if (twin < 0 || seen[static_cast<std::size_t>(face_of(twin))]) continue;
+        const int twin = mesh.twins[at(h)];
+        if (twin < 0 || seen[at(face_of(twin))]) continue;
         const auto g = static_cast<std::size_t>(face_of(twin));
-        axes[g] = turned_axes(axes[g], best_match(axes[static_cast<std::size_t>(f)], axes[g]));
-        crossed[static_cast<std::size_t>(h)] = crossed[static_cast<std::size_t>(twin)] = 1;
+        axes[g] = turned_axes(axes[g], best_match(axes[at(f)], axes[g]));
+        crossed[at(h)] = crossed[at(twin)] = 1;
         seen[g] = 1;
         queue.push_back(face_of(twin));
       }
@@ -94,9 +95,9 @@ std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vec
   std::vector<std::uint8_t> sum(mesh.points.size(), 0);
   // Walking around a vertex crosses each of its halfedges once, outgoing ones from one side.
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int vertex = mesh.faces[static_cast<std::size_t>(face_of(h))][static_cast<std::size_t>(h % 3)];
-    auto& s = sum[static_cast<std::size_t>(vertex)];
-    s = static_cast<std::uint8_t>((s + turns[static_cast<std::size_t>(h)]) & 3);
+    const int vertex = mesh.faces[at(face_of(h))][at(h % 3)];
+    auto& s = sum[at(vertex)];
+    s = static_cast<std::uint8_t>((s + turns[at(h)]) & 3);
   }
   const auto boundary = boundary_vertices(mesh);
   for (std::size_t v = 0; v < sum.size(); ++v)
@@ -105,7 +106,7 @@ std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vec
 }
 
 int origin(const BandMesh& mesh, int h) {
-  return mesh.faces[static_cast<std::size_t>(face_of(h))][static_cast<std::size_t>(h % 3)];
+  return mesh.faces[at(face_of(h))][at(h % 3)];
 }
 
 // Removes open cuts that end neither at a singular vertex nor at the boundary.
@@ -113,7 +114,7 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   const auto boundary = boundary_vertices(mesh);
   std::vector<int> degree(mesh.points.size(), 0);
   std::vector<int> first(mesh.points.size() + 1, 0);
-  const auto cut_at = [&](int h) { return charts.cut[static_cast<std::size_t>(h)] != 0; };
+  const auto cut_at = [&](int h) { return charts.cut[at(h)] != 0; };
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
     if (cut_at(h)) ++first[static_cast<std::size_t>(origin(mesh, h)) + 1];
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
@@ -122,16 +123,16 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   }
   std::vector<int> outgoing(static_cast<std::size_t>(first.back())), fill(first.begin(), first.end() - 1);
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (cut_at(h)) outgoing[static_cast<std::size_t>(fill[static_cast<std::size_t>(origin(mesh, h))]++)] = h;
+    if (cut_at(h)) outgoing[at(fill[static_cast<std::size_t>(origin(mesh, h))]++)] = h;
   const auto is_loose = [&](std::size_t v) { return degree[v] == 1 && !boundary[v] && !charts.singular[v]; };
   for (int start = 0; start < mesh.vertex_count(); ++start) {
     auto v = static_cast<std::size_t>(start);
     while (is_loose(v)) {
       int h = -1;
       for (int k = first[v]; k < first[v + 1]; ++k)
-        if (cut_at(outgoing[static_cast<std::size_t>(k)])) h = outgoing[static_cast<std::size_t>(k)];
-      const int twin = mesh.twins[static_cast<std::size_t>(h)];
-      charts.cut[static_cast<std::size_t>(h)] = charts.cut[static_cast<std::size_t>(twin)] = 0;
+        if (cut_at(outgoing[at(k)])) h = outgoing[at(k)];
+      const int twin = mesh.twins[at(h)];
+      charts.cut[at(h)] = charts.cut[at(twin)] = 0;
       --degree[v];
       v = static_cast<std::size_t>(origin(mesh, twin));
       --degree[v];
@@ -157,9 +158,9 @@ Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* k
     charts.cut[h] = 1;
     // One side decides, so that the two halfedges are always inverse to each other.
     if (static_cast<int>(h) > twin) continue;
-    const int turn = best_match(axes[h / 3], axes[static_cast<std::size_t>(face_of(twin))]);
+    const int turn = best_match(axes[h / 3], axes[at(face_of(twin))]);
     charts.turns[h] = static_cast<std::uint8_t>(turn);
-    charts.turns[static_cast<std::size_t>(twin)] = static_cast<std::uint8_t>((4 - turn) & 3);
+    charts.turns[at(twin)] = static_cast<std::uint8_t>((4 - turn) & 3);
   }
   charts.singular = singular_vertices(mesh, charts.turns);
   for (const auto k : charts.singular) charts.singularities += k != 0;

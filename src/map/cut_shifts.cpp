@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 namespace {
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr IVec2 conjugate(IVec2 a) {
   return {a.x, -a.y};

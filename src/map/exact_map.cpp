@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
@@ -33,7 +35,7 @@ ExactMap round_map(GridMap map) {
   }
   ExactMap exact{std::move(map.corner_shift), std::move(map.transitions)};
   for (std::size_t c = 0; c < exact.uv.size(); ++c)
-    exact.uv[c] = turned(base[static_cast<std::size_t>(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * exact.uv[c];
+    exact.uv[c] = turned(base[at(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * exact.uv[c];
   return exact;
 }
 

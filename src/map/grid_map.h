@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "base/at.h"
 #include "base/transition.h"
 #include "map/labels.h"
 #include "numerics/pair_ldl.h"
@@ -42,7 +43,7 @@ struct GridMap {
   Vec2 uv(int corner) const {
     const auto c = static_cast<std::size_t>(corner);
     const Vec2 shift{static_cast<double>(corner_shift[c].x), static_cast<double>(corner_shift[c].y)};
-    return turned(base[static_cast<std::size_t>(corner_base[c])], corner_turn[c]) + shift;
+    return turned(base[at(corner_base[c])], corner_turn[c]) + shift;
   }
 };
 

@@ -21,13 +21,13 @@ struct Triangle {
 std::optional<Triangle> triangle_of(const BandMesh& mesh, int face, int ratio) {
   Triangle triangle;
   std::array<int, 3> order{0, 1, 2};
-  const auto point = [&](int k) { return at(mesh.lattice, at(at(mesh.faces, face), k)); };
+  const auto point = [&](int k) { return mesh.lattice[at(mesh.faces[at(face)][at(k)])]; };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return point(a) < point(b); });
   for (int k = 0; k < 3; ++k) {
-    const LatticePoint p = point(at(order, k));
+    const LatticePoint p = point(order[at(k)]);
     if (p.i % ratio != 0 || p.j % ratio != 0) return std::nullopt;
-    at(triangle.points, k) = {p.i / ratio, p.j / ratio};
-    at(triangle.corners, k) = 3 * face + at(order, k);
+    triangle.points[at(k)] = {p.i / ratio, p.j / ratio};
+    triangle.corners[at(k)] = 3 * face + order[at(k)];
   }
   return triangle;
 }
@@ -52,27 +52,26 @@ Bounds bounds_of(const BandMesh& mesh, int ratio) {
 std::vector<Triangle> triangles_within(const BandMesh& mesh, const Bounds& bounds) {
   std::vector<Triangle> triangles;
   for (int f = 0; f < mesh.face_count(); ++f)
-    if (bounds.contains(at(mesh.lattice, mesh.faces[static_cast<std::size_t>(f)][0])))
-      triangles.push_back(*triangle_of(mesh, f, 1));
+    if (bounds.contains(mesh.lattice[at(mesh.faces[at(f)][0])])) triangles.push_back(*triangle_of(mesh, f, 1));
   std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
 
 bool failed(const Solution& solution, int face) {
   const auto& failed = solution.map.failed_components;
-  return std::binary_search(failed.begin(), failed.end(), at(solution.mesh.component, face));
+  return std::binary_search(failed.begin(), failed.end(), solution.mesh.component[at(face)]);
 }
 
 void copy_face(const Solution& before, const Triangle& old, const Triangle& now, Known& known) {
   const int from = face_of(old.corners[0]), to = face_of(now.corners[0]);
-  at(known.faces, to) = 1;
-  at(known.s, to) = at(before.charts.s, from);
-  at(known.t, to) = at(before.charts.t, from);
-  at(known.labels, to) = at(before.labels, from);
+  known.faces[at(to)] = 1;
+  known.s[at(to)] = before.charts.s[at(from)];
+  known.t[at(to)] = before.charts.t[at(from)];
+  known.labels[at(to)] = before.labels[at(from)];
   for (std::size_t k = 0; k < 3; ++k) {
-    at(known.corners, now.corners[k]) = old.corners[k];
-    at(known.uv, now.corners[k]) = before.map.uv(old.corners[k]);
-    at(known.uncut, now.corners[k]) = !at(before.charts.cut, old.corners[k]);
+    known.corners[at(now.corners[k])] = old.corners[k];
+    known.uv[at(now.corners[k])] = before.map.uv(old.corners[k]);
+    known.uncut[at(now.corners[k])] = !before.charts.cut[at(old.corners[k])];
   }
 }
 
@@ -98,8 +97,8 @@ Known known_from(const Solution& before, const BandMesh& mesh, const std::functi
     copy_face(before, *found, *now, known);
   }
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int twin = at(mesh.twins, h);
-    if (twin < 0 || !at(known.faces, face_of(h)) || !at(known.faces, face_of(twin))) at(known.uncut, h) = 0;
+    const int twin = mesh.twins[at(h)];
+    if (twin < 0 || !known.faces[at(face_of(h))] || !known.faces[at(face_of(twin))]) known.uncut[at(h)] = 0;
   }
   return known;
 }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "base/sample.h"
 #include "base/transition.h"
@@ -35,9 +36,7 @@ class StreamlineTracer {
   StreamlineTracer(const BandMesh& mesh, const Charts& charts, const Raster<std::uint8_t>& ink)
       : mesh_(mesh), charts_(charts), ink_(ink) {
     corners_.reserve(mesh.faces.size());
-    for (const auto& t : mesh.faces)
-      corners_.push_back({mesh.points[static_cast<std::size_t>(t[0])], mesh.points[static_cast<std::size_t>(t[1])],
-                          mesh.points[static_cast<std::size_t>(t[2])]});
+    for (const auto& t : mesh.faces) corners_.push_back({mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]});
   }
 
   // Length over ink of the streamlines that start at the barycentre of a face along an axis of its frame, both ways; or less,
@@ -62,9 +61,9 @@ class StreamlineTracer {
       if (covered > enough) break;
       p += exit.length * d;
       if (norm2(p - start) > reach * reach) break;
-      const int h = 3 * face + exit.side, twin = mesh_.twins[static_cast<std::size_t>(h)];
+      const int h = 3 * face + exit.side, twin = mesh_.twins[at(h)];
       if (twin < 0) break;
-      axis = (axis + charts_.turns[static_cast<std::size_t>(h)]) & 3;
+      axis = (axis + charts_.turns[at(h)]) & 3;
       face = face_of(twin);
       entered = twin - 3 * face;
     }
@@ -78,12 +77,12 @@ class StreamlineTracer {
   };
 
   Exit leave(int face, Vec2 p, Vec2 d, int entered_side) const {
-    const auto& corner = corners_[static_cast<std::size_t>(face)];
+    const auto& corner = corners_[at(face)];
     int side = -1;
     double ahead = 0, outward = 1;  // the length is their quotient
     for (int k = 0; k < 3; ++k) {
       if (k == entered_side) continue;
-      const Vec2 a = corner[static_cast<std::size_t>(k)], e = corner[static_cast<std::size_t>(k == 2 ? 0 : k + 1)] - a;
+      const Vec2 a = corner[at(k)], e = corner[at(k == 2 ? 0 : k + 1)] - a;
       const double out = cross(d, e);  // > 0 where d leaves through this side
       if (out <= 0) continue;
       const double to_side = cross(a - p, e);
@@ -125,17 +124,16 @@ std::array<double, 2> ink_lengths(const StreamlineTracer& tracer, int face, std:
 std::vector<Label> spread_labels(const BandMesh& mesh, const Charts& charts, std::vector<Label> labels) {
   std::deque<int> queue;
   for (int f = 0; f < mesh.face_count(); ++f)
-    if (labels[static_cast<std::size_t>(f)] != Label::none) queue.push_back(f);
+    if (labels[at(f)] != Label::none) queue.push_back(f);
   while (!queue.empty()) {
     const int f = queue.front();
     queue.pop_front();
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      const int twin = mesh.twins[static_cast<std::size_t>(h)];
+      const int twin = mesh.twins[at(h)];
       if (twin < 0) continue;
       const auto g = static_cast<std::size_t>(face_of(twin));
       if (labels[g] != Label::none || mesh.on_ink[g] || !mesh.in_stroke[g]) continue;
-      const bool along_s =
-          (labels[static_cast<std::size_t>(f)] == Label::along_s) == (charts.turns[static_cast<std::size_t>(h)] % 2 == 0);
+      const bool along_s = (labels[at(f)] == Label::along_s) == (charts.turns[at(h)] % 2 == 0);
       labels[g] = along_s ? Label::along_s : Label::along_t;
       queue.push_back(face_of(twin));
     }
@@ -152,16 +150,16 @@ std::vector<Label> label_strokes(const BandMesh& mesh, const Charts& charts, con
   for_ranges(options.threads, mesh.face_count(), 1024, [&](int first, int last) {
     std::size_t along = 0;
     for (int f = first; f < last; ++f) {
-      if (known && known->faces[static_cast<std::size_t>(f)]) {
-        labels[static_cast<std::size_t>(f)] = known->labels[static_cast<std::size_t>(f)];
+      if (known && known->faces[at(f)]) {
+        labels[at(f)] = known->labels[at(f)];
         continue;
       }
-      if (!mesh.on_ink[static_cast<std::size_t>(f)]) continue;
-      const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[static_cast<std::size_t>(f)]);
+      if (!mesh.on_ink[at(f)]) continue;
+      const double reach = options.length * ink.stroke_width * static_cast<double>(mesh.scale[at(f)]);
       const auto length = ink_lengths(tracer, f, along, reach, options.ratio);
       if (std::min(length[0], length[1]) > options.ratio * (length[0] + length[1])) continue;
       along = length[0] > length[1] ? 0 : 1;
-      labels[static_cast<std::size_t>(f)] = along == 0 ? Label::along_s : Label::along_t;
+      labels[at(f)] = along == 0 ? Label::along_s : Label::along_t;
     }
   });
   return labels;

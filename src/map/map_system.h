@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "base/at.h"
 #include "map/cut_shifts.h"
 #include "map/grid_map.h"
 #include "map/snap_regions.h"
@@ -15,10 +16,6 @@
 namespace inkgrid {
 
 struct Known;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 inline Vec2 real(IVec2 a) {
   return {static_cast<double>(a.x), static_cast<double>(a.y)};

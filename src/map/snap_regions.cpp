@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/at.h"
 #include "base/sample.h"
 #include "base/union_find.h"
 
@@ -11,10 +12,6 @@ namespace {
 
 // A weight below this cannot move a coordinate, but would leave an integer undetermined.
 constexpr double kLeastWeight = 1e-9;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Coordinates that map the frame to (1 / unit, 0) and (0, 1 / unit), for one face at a time.
 double local_estimate(const Charts& charts, int f, int coordinate, Vec2 p, double unit) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/at.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -18,10 +19,6 @@ constexpr double kTie = 1e-9;
 constexpr double kNegligible = 1e-10;
 // Part of an integer's own row below which the elimination of the reals carries it no further.
 constexpr double kHalfSolveFloor = 1e-13;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;

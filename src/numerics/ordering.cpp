@@ -3,12 +3,10 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The whole pattern, in the form that Eigen asks for: with the diagonal, and with room for the elements of the elimination.
 Eigen::SparseMatrix<double> symmetric_pattern(const std::vector<int>& starts, const std::vector<int>& rows) {

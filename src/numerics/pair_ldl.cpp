@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "inkgrid/inkgrid.h"
 #include "numerics/ordering.h"
@@ -15,10 +16,6 @@ namespace {
 constexpr double kPivotTolerance = 1e-14;
 constexpr double kTaskShare = 1.0 / 16;      // of the work of a factorisation, that is done at once on one thread
 constexpr std::size_t kWorthThreads = 2000;  // nodes
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Block transposed(const Block& x) {
   return {x.a, x.c, x.b, x.d};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -11,10 +12,6 @@ namespace inkgrid {
 namespace {
 
 constexpr double kPivotTolerance = 1e-14;
-
-constexpr std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Eigen::SparseMatrix<double> sparse_matrix(int size, const std::vector<Entry<double>>& lower) {
   std::vector<Eigen::Triplet<double>> triplets;

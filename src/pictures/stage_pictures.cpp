@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "base/at.h"
 #include "pictures/canvas.h"
 #include "pictures/streamlines.h"
 #include "scribbles/assembled.h"
@@ -29,9 +30,6 @@ constexpr float kNearCentre = 0.2F;  // 0..1
 constexpr std::array<Colour, 10> kTurns{
     {{0x1f77b4}, {0xe6550d}, {0x2ca02c}, {0x9467bd}, {0x8c564b}, {0xd6279f}, {0x17a2b8}, {0x7f7f00}, {0x3949ab}, {0xc62828}}};
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 Colour in_turn(std::size_t i) {
   return kTurns[i % kTurns.size()];
 }

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at.h"
 #include "base/raster.h"
 
 namespace inkgrid {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Which lines passed where: per direction, per square cell, the number of the last line.
 class Occupancy {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/at.h"
 #include "base/cubic.h"
 #include "base/digest.h"
 
@@ -14,10 +15,6 @@ constexpr double kSampleFlatness = 0.05;  // px
 constexpr int kFewestSamples = 8;         // a segment
 constexpr double kShortestPart = 0.5;     // px; nearer to an end of an open curve nothing is split
 constexpr double kWelded = 1e-6;          // px; ends that are nearer are one point
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A point of a curve, and how far along it lies.
 struct Sample {
@@ -34,7 +31,7 @@ int steps_of(const Cubic& cubic) {
 std::vector<Sample> samples_of(const Curve& curve) {
   std::vector<Sample> samples{{0, 0, curve.segments.front().p0, 0}};
   for (int k = 0; k < static_cast<int>(curve.segments.size()); ++k) {
-    const Cubic& cubic = curve.segments[index(k)];
+    const Cubic& cubic = curve.segments[at(k)];
     const int steps = steps_of(cubic);
     for (int i = 1; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
@@ -100,13 +97,13 @@ void visit_segment(const Cubic& cubic, Vec2 near, CurvePlace candidate, std::opt
 
 void visit_curve(const Curve& curve, int number, Vec2 near, std::optional<CurvePlace>& best, double limit) {
   for (int k = 0; k < static_cast<int>(curve.segments.size()); ++k)
-    visit_segment(curve.segments[index(k)], near, {number, k, 0, {}, 0}, best, limit);
+    visit_segment(curve.segments[at(k)], near, {number, k, 0, {}, 0}, best, limit);
 }
 
 double distance_to_others(const Drawing& drawing, int curve, Vec2 p) {
   std::optional<CurvePlace> best;
   for (int i = 0; i < static_cast<int>(drawing.curves.size()); ++i)
-    if (i != curve) visit_curve(drawing.curves[index(i)], i, p, best, kInfinity);
+    if (i != curve) visit_curve(drawing.curves[at(i)], i, p, best, kInfinity);
   return best ? best->distance : kInfinity;
 }
 
@@ -114,7 +111,7 @@ double distance_to_others(const Drawing& drawing, int curve, Vec2 p) {
 Vec2 lonely_point(const Drawing& drawing, int curve, double from, double to) {
   Vec2 best;
   double most = -1;
-  for (const Sample& s : samples_of(drawing.curves.at(index(curve)))) {
+  for (const Sample& s : samples_of(drawing.curves.at(at(curve)))) {
     const double within = std::min(s.along - from, to - s.along);
     if (within <= most) continue;
     const double score = std::min(within, distance_to_others(drawing, curve, s.point));
@@ -171,7 +168,7 @@ void close(Curve& curve) {
 
 // How many ends and joints of curves lie on a junction.
 int branches(const Drawing& drawing, int junction) {
-  const Vec2 p = drawing.junctions[index(junction)];
+  const Vec2 p = drawing.junctions[at(junction)];
   int count = 0;
   for (const Curve& curve : drawing.curves) {
     count += (curve.start_junction == junction) + (curve.end_junction == junction);
@@ -200,7 +197,7 @@ void drop_lone_junctions(Drawing& drawing, int a, int b) {
 
 // A curve that was changed is another one.
 void renew_id(Drawing& drawing, int curve) {
-  Curve& changed = drawing.curves[index(curve)];
+  Curve& changed = drawing.curves[at(curve)];
   std::vector<Vec2> points;
   for (const Cubic& c : changed.segments) points.insert(points.end(), {c.p0, c.p1, c.p2, c.p3});
   changed.id = digest(points);
@@ -223,8 +220,8 @@ int joint_at(Curve& curve, const CurvePlace& place) {
   constexpr double kAtEnd = 1e-6;
   if (place.t < kAtEnd) return place.segment;
   if (place.t > 1 - kAtEnd) return place.segment + 1;
-  const auto [before, after] = cut(curve.segments[index(place.segment)], place.t);
-  curve.segments[index(place.segment)] = before;
+  const auto [before, after] = cut(curve.segments[at(place.segment)], place.t);
+  curve.segments[at(place.segment)] = before;
   curve.segments.insert(curve.segments.begin() + place.segment + 1, after);
   return place.segment + 1;
 }
@@ -246,23 +243,23 @@ void open_at(Curve& curve, int joint, int junction) {
 bool split_curve(Drawing& drawing, const Edit& edit) {
   const auto place = nearest_place(drawing, edit.at, edit.tolerance);
   if (!place) return false;
-  Curve curve = drawing.curves[index(place->curve)];
+  Curve curve = drawing.curves[at(place->curve)];
   const double along = length_until(curve, *place);
   if (!curve.closed && std::min(along, length_of(curve) - along) < kShortestPart) return false;
   const int joint = joint_at(curve, *place);
-  const int junction = junction_at(drawing, joint > 0 ? curve.segments[index(joint - 1)].p3 : curve.segments.front().p0);
+  const int junction = junction_at(drawing, joint > 0 ? curve.segments[at(joint - 1)].p3 : curve.segments.front().p0);
   if (curve.closed) {
     open_at(curve, joint, junction);
   } else {
     Curve rest = curve;
     rest.segments.erase(rest.segments.begin(), rest.segments.begin() + joint);
     rest.start_junction = junction;
-    curve.segments.resize(index(joint));
+    curve.segments.resize(at(joint));
     curve.end_junction = junction;
     drawing.curves.insert(drawing.curves.begin() + place->curve + 1, std::move(rest));
     renew_id(drawing, place->curve + 1);
   }
-  drawing.curves[index(place->curve)] = std::move(curve);
+  drawing.curves[at(place->curve)] = std::move(curve);
   renew_id(drawing, place->curve);
   return true;
 }
@@ -277,7 +274,7 @@ struct CurveEnd {
 std::optional<CurveEnd> end_near(const Drawing& drawing, Vec2 p, double tolerance) {
   const auto place = nearest_place(drawing, p, tolerance);
   if (!place) return std::nullopt;
-  const Curve& curve = drawing.curves[index(place->curve)];
+  const Curve& curve = drawing.curves[at(place->curve)];
   if (curve.closed) return std::nullopt;
   return CurveEnd{place->curve, 2 * length_until(curve, *place) > length_of(curve)};
 }
@@ -285,8 +282,8 @@ std::optional<CurveEnd> end_near(const Drawing& drawing, Vec2 p, double toleranc
 bool join_ends(Drawing& drawing, const Edit& edit) {
   const auto a = end_near(drawing, edit.at, edit.tolerance), b = end_near(drawing, edit.to, edit.tolerance);
   if (!a || !b || *a == *b) return false;
-  Curve& first = drawing.curves[index(a->curve)];
-  const Curve& second = drawing.curves[index(b->curve)];
+  Curve& first = drawing.curves[at(a->curve)];
+  const Curve& second = drawing.curves[at(b->curve)];
   const int junctions[] = {a->at_end ? first.end_junction : first.start_junction,
                            b->at_end ? second.end_junction : second.start_junction};
   if (a->curve == b->curve) {
@@ -316,24 +313,23 @@ bool apply(Drawing& drawing, const Edit& edit) {
 
 std::optional<CurvePlace> nearest_place(const Drawing& drawing, Vec2 near, double tolerance) {
   std::optional<CurvePlace> best;
-  for (int i = 0; i < static_cast<int>(drawing.curves.size()); ++i)
-    visit_curve(drawing.curves[index(i)], i, near, best, tolerance);
+  for (int i = 0; i < static_cast<int>(drawing.curves.size()); ++i) visit_curve(drawing.curves[at(i)], i, near, best, tolerance);
   return best;
 }
 
 Vec2 anchor_of(const Drawing& drawing, int curve) {
-  return lonely_point(drawing, curve, 0, length_of(drawing.curves.at(index(curve))));
+  return lonely_point(drawing, curve, 0, length_of(drawing.curves.at(at(curve))));
 }
 
 Vec2 anchor_of_end(const Drawing& drawing, int curve, bool at_end) {
-  const double length = length_of(drawing.curves.at(index(curve)));
+  const double length = length_of(drawing.curves.at(at(curve)));
   return at_end ? lonely_point(drawing, curve, length / 2, length) : lonely_point(drawing, curve, 0, length / 2);
 }
 
 Edited apply_edits(Drawing drawing, std::span<const Edit> edits) {
   std::vector<int> missed;
   for (int i = 0; i < static_cast<int>(edits.size()); ++i)
-    if (!apply(drawing, edits[index(i)])) missed.push_back(i);
+    if (!apply(drawing, edits[at(i)])) missed.push_back(i);
   return {std::move(drawing), std::move(missed)};
 }
 

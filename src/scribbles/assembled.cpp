@@ -22,8 +22,8 @@ std::vector<std::uint8_t> held_vertices(const Window& window) {
   const BandMesh& mesh = window.stages.mesh;
   std::vector<std::uint8_t> held(mesh.points.size(), 1);
   for (int f = 0; f < mesh.face_count(); ++f)
-    for (const int v : at(mesh.faces, f))
-      if (!at(window.known.faces, f) || at(window.stages.charts.singular, v)) at(held, v) = 0;
+    for (const int v : mesh.faces[at(f)])
+      if (!window.known.faces[at(f)] || window.stages.charts.singular[at(v)]) held[at(v)] = 0;
   return held;
 }
 
@@ -39,7 +39,7 @@ class Assembly {
   std::vector<std::array<int, 3>> corners_;              // per face of the whole
   std::vector<int> twins_;
 
-  const Window& window(int s) const { return at(stages_.parts, s - 1)->window; }
+  const Window& window(int s) const { return stages_.parts[at(s - 1)]->window; }
   const Stages& source(const Place& place) const { return place.source == 0 ? stages_ : window(place.source).stages; }
 
   // The values that `values` finds in the source of each place.
@@ -47,7 +47,7 @@ class Assembly {
   auto of(const std::vector<Place>& places, Values values) const {
     std::remove_cvref_t<decltype(values(stages_))> result;
     result.reserve(places.size());
-    for (const Place& p : places) result.push_back(at(values(source(p)), p.index));
+    for (const Place& p : places) result.push_back(values(source(p))[at(p.index)]);
     return result;
   }
   template <class Values>
@@ -68,8 +68,8 @@ class Assembly {
     numbers_.emplace_back(stages.mesh.faces.size(), 0);
     for (const auto& part : stages.parts) place(*part);
     for (int s = 0; s < static_cast<int>(numbers_.size()); ++s)
-      for (int f = 0; f < static_cast<int>(at(numbers_, s).size()); ++f) {
-        int& number = at(at(numbers_, s), f);
+      for (int f = 0; f < static_cast<int>(numbers_[at(s)].size()); ++f) {
+        int& number = numbers_[at(s)][at(f)];
         if (number < 0) continue;
         number = static_cast<int>(faces_.size());
         faces_.push_back({s, f});
@@ -80,7 +80,7 @@ class Assembly {
 
   BandMesh mesh() const {
     BandMesh mesh;
-    for (const Place& v : vertices_) mesh.points.push_back(at(source(v).mesh.points, v.index));
+    for (const Place& v : vertices_) mesh.points.push_back(source(v).mesh.points[at(v.index)]);
     mesh.faces = corners_;
     mesh.twins = twins_;
     number_components(mesh);
@@ -103,7 +103,7 @@ class Assembly {
     whole.exact.transitions = of_sides([](const Stages& s) -> auto& { return s.exact.transitions; });
     whole.exact.uv.clear();
     for (const Place& f : faces_)
-      for (int k = 0; k < 3; ++k) whole.exact.uv.push_back(at(source(f).exact.uv, 3 * f.index + k));
+      for (int k = 0; k < 3; ++k) whole.exact.uv.push_back(source(f).exact.uv[at(3 * f.index + k)]);
     whole.map.failed_components = failed_components(whole.mesh);
     whole.graph = remove_folds(trace_isolines(whole.mesh, whole.exact, whole.map.failed_components), whole.mesh, whole.exact);
   }
@@ -120,32 +120,30 @@ class Assembly {
     std::vector<std::uint8_t> stays(stages_.mesh.faces.size(), 0);
     seams_.emplace_back();
     for (int f = 0; f < mesh.face_count(); ++f) {
-      const auto& face = at(mesh.faces, f);
-      const bool same = at(held_.back(), face[0]) && at(held_.back(), face[1]) && at(held_.back(), face[2]);
-      if (!same && near(mesh.barycentre(f))) at(numbers, f) = 0;
+      const auto& face = mesh.faces[at(f)];
+      const bool same = held_.back()[at(face[0])] && held_.back()[at(face[1])] && held_.back()[at(face[2])];
+      if (!same && near(mesh.barycentre(f))) numbers[at(f)] = 0;
       if (!same) continue;
-      at(stays, face_of(at(window.known.corners, 3 * f))) = 1;
-      for (int c = 3 * f; c < 3 * f + 3; ++c) seams_.back().emplace_back(at(window.known.corners, c), c);
+      stays[at(face_of(window.known.corners[at(3 * f)]))] = 1;
+      for (int c = 3 * f; c < 3 * f + 3; ++c) seams_.back().emplace_back(window.known.corners[at(c)], c);
     }
     std::sort(seams_.back().begin(), seams_.back().end());
     for (int f = 0; f < stages_.mesh.face_count(); ++f)
-      if (!at(stays, f) && near(stages_.mesh.barycentre(f))) {
-        at(numbers_[0], f) = -1;
+      if (!stays[at(f)] && near(stages_.mesh.barycentre(f))) {
+        numbers_[0][at(f)] = -1;
         replaced_by_.resize(stages_.mesh.faces.size(), 0);
-        at(replaced_by_, f) = static_cast<int>(numbers_.size());
+        replaced_by_[at(f)] = static_cast<int>(numbers_.size());
       }
     numbers_.push_back(std::move(numbers));
   }
 
-  int vertex_of(const Place& corner) const {
-    return at(source(corner).mesh.faces, face_of(corner.index))[static_cast<std::size_t>(corner.index % 3)];
-  }
+  int vertex_of(const Place& corner) const { return source(corner).mesh.faces[at(face_of(corner.index))][at(corner.index % 3)]; }
 
   void number_vertices() {
     std::vector<std::vector<int>> number;
     for (int s = 0; s < static_cast<int>(numbers_.size()); ++s) number.emplace_back(source({s, 0}).mesh.points.size(), -1);
     const auto take = [&](int s, int v) -> int {
-      int& n = at(at(number, s), v);
+      int& n = number[at(s)][at(v)];
       if (n < 0) {
         n = static_cast<int>(vertices_.size());
         vertices_.push_back({s, v});
@@ -154,44 +152,44 @@ class Assembly {
     };
     for (const Place& f : faces_)
       if (f.source == 0)
-        for (const int v : at(stages_.mesh.faces, f.index)) take(0, v);
+        for (const int v : stages_.mesh.faces[at(f.index)]) take(0, v);
     for (int s = 1; s < static_cast<int>(numbers_.size()); ++s) {
       const Known& known = window(s).known;
       for (int c = 0; c < static_cast<int>(known.corners.size()); ++c) {
         const int v = vertex_of({s, c});
-        if (at(known.corners, c) >= 0 && at(at(held_, s - 1), v))
-          at(at(number, s), v) = at(number[0], vertex_of({0, at(known.corners, c)}));
+        if (known.corners[at(c)] >= 0 && held_[at(s - 1)][at(v)])
+          number[at(s)][at(v)] = number[0][at(vertex_of({0, known.corners[at(c)]}))];
       }
     }
     for (const Place& f : faces_) {
       std::array<int, 3> corners;
-      for (int k = 0; k < 3; ++k) at(corners, k) = take(f.source, vertex_of({f.source, 3 * f.index + k}));
+      for (int k = 0; k < 3; ++k) corners[at(k)] = take(f.source, vertex_of({f.source, 3 * f.index + k}));
       corners_.push_back(corners);
     }
   }
 
   // The halfedge in the whole, or -1.
   int number_of(int s, int halfedge) const {
-    const int face = at(at(numbers_, s), face_of(halfedge));
+    const int face = numbers_[at(s)][at(face_of(halfedge))];
     return face < 0 ? -1 : 3 * face + halfedge % 3;
   }
 
   // The halfedge of the window that replaces the other side of this one.
   Place beside(int halfedge) const {
-    const int twin = at(stages_.mesh.twins, halfedge);
-    if (twin < 0 || at(numbers_[0], face_of(twin)) >= 0) return {0, halfedge};
-    const int s = at(replaced_by_, face_of(twin));
-    const auto& seam = at(seams_, s - 1);
+    const int twin = stages_.mesh.twins[at(halfedge)];
+    if (twin < 0 || numbers_[0][at(face_of(twin))] >= 0) return {0, halfedge};
+    const int s = replaced_by_[at(face_of(twin))];
+    const auto& seam = seams_[at(s - 1)];
     const auto found = std::lower_bound(seam.begin(), seam.end(), std::pair(halfedge, -1));
     return found != seam.end() && found->first == halfedge ? Place{s, found->second} : Place{0, halfedge};
   }
 
   int twin_of(const Place& side) const {
-    const int twin = at(source(side).mesh.twins, side.index);
+    const int twin = source(side).mesh.twins[at(side.index)];
     if (twin < 0) return -1;
     const int here = number_of(side.source, twin);
     if (here >= 0 || side.source == 0) return here;
-    const int around = at(window(side.source).known.corners, twin);
+    const int around = window(side.source).known.corners[at(twin)];
     return around < 0 ? -1 : number_of(0, around);
   }
 
@@ -208,7 +206,7 @@ class Assembly {
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const Stages& from = source(faces_[f]);
       const auto& failed_there = from.map.failed_components;
-      if (std::binary_search(failed_there.begin(), failed_there.end(), at(from.mesh.component, faces_[f].index)))
+      if (std::binary_search(failed_there.begin(), failed_there.end(), from.mesh.component[at(faces_[f].index)]))
         failed.push_back(whole.component[f]);
     }
     std::sort(failed.begin(), failed.end());

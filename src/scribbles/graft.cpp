@@ -35,8 +35,8 @@ class SegmentBins {
  public:
   SegmentBins(const std::vector<Chain>& chains, double reach) : chains_(chains), reach_(reach), cell_(reach + 1) {
     for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-      const auto& points = at(chains, c).points;
-      for (int k = 0; k + 1 < static_cast<int>(points.size()); ++k) add(c, k, at(points, k), at(points, k + 1));
+      const auto& points = chains[at(c)].points;
+      for (int k = 0; k + 1 < static_cast<int>(points.size()); ++k) add(c, k, points[at(k)], points[at(k + 1)]);
     }
     std::sort(entries_.begin(), entries_.end());
   }
@@ -71,8 +71,8 @@ class SegmentBins {
   }
 
   Spot spot_on(const Entry& e, Vec2 p) const {
-    const auto& points = at(chains_, e.chain).points;
-    const Vec2 a = at(points, e.segment), b = at(points, e.segment + 1);
+    const auto& points = chains_[at(e.chain)].points;
+    const Vec2 a = points[at(e.segment)], b = points[at(e.segment + 1)];
     const double t = norm2(b - a) > 0 ? std::clamp(dot(p - a, b - a) / norm2(b - a), 0.0, 1.0) : 0.0;
     return {e.chain, e.segment + t, lerp(a, b, t), norm(p - lerp(a, b, t))};
   }
@@ -117,7 +117,7 @@ std::vector<Cut> find_cuts(const Chains& old_chains, const Chains& new_chains, c
   const SegmentBins bins(new_chains.chains, options.tolerance);
   std::vector<Cut> cuts;
   for (int c = 0; c < static_cast<int>(old_chains.chains.size()); ++c) {
-    const auto& points = at(old_chains.chains, c).points;
+    const auto& points = old_chains.chains[at(c)].points;
     struct Agreement {
       int point;
       Spot spot;
@@ -126,7 +126,7 @@ std::vector<Cut> find_cuts(const Chains& old_chains, const Chains& new_chains, c
     const auto close_run = [&] {
       const auto first = run.begin(), last = run.end() - 1;
       double length = 0;
-      for (auto i = run.begin(); i + 1 < run.end(); ++i) length += norm(at(points, (i + 1)->point) - at(points, i->point));
+      for (auto i = run.begin(); i + 1 < run.end(); ++i) length += norm(points[at((i + 1)->point)] - points[at(i->point)]);
       if (run.size() >= 3 && length >= kLeastRun * options.stroke_width) {
         const auto quarter = static_cast<std::ptrdiff_t>(run.size() / 4);
         const auto nearest = std::min_element(first + quarter, run.end() - quarter, [](const Agreement& a, const Agreement& b) {
@@ -138,9 +138,9 @@ std::vector<Cut> find_cuts(const Chains& old_chains, const Chains& new_chains, c
     };
     for (int k = 0; k < static_cast<int>(points.size()); ++k) {
       std::optional<Spot> spot;
-      if (zone.place_of(at(points, k)) == Place::between) spot = bins.nearest(at(points, k));
+      if (zone.place_of(points[at(k)]) == Place::between) spot = bins.nearest(points[at(k)]);
       if (spot) {
-        const auto& fresh = at(new_chains.chains, spot->chain).points;
+        const auto& fresh = new_chains.chains[at(spot->chain)].points;
         const Vec2 along = tangent_at(points, k, 2, false), other = tangent_at(fresh, static_cast<int>(spot->at), 2, false);
         if (std::abs(dot(along, other)) < kSameWay) spot.reset();
       }
@@ -211,10 +211,10 @@ struct Network {
 Network cut_network(const Chains& chains, std::vector<std::vector<ChainCut>> cuts) {
   Network network{chains, {}};
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
-    auto& here = at(cuts, c);
+    auto& here = cuts[at(c)];
     std::sort(here.begin(), here.end(),
               [](const ChainCut& a, const ChainCut& b) { return a.at != b.at ? a.at < b.at : a.cut < b.cut; });
-    split(at(chains.chains, c), c, here, network.pieces);
+    split(chains.chains[at(c)], c, here, network.pieces);
   }
   return network;
 }
@@ -224,19 +224,19 @@ bool choose(Network& network, const Zone& zone, bool keep_inside) {
   const int junctions = static_cast<int>(network.chains.junctions.size()), count = static_cast<int>(network.pieces.size());
   UnionFind sets(junctions + count);
   for (int i = 0; i < count; ++i)
-    for (const PieceEnd& end : at(network.pieces, i).ends)
+    for (const PieceEnd& end : network.pieces[at(i)].ends)
       if (end.junction >= 0) sets.unite(end.junction, junctions + i);
   std::vector<std::uint8_t> inside(static_cast<std::size_t>(junctions + count), 0), outside = inside;
   for (int i = 0; i < count; ++i)
-    for (const Vec2 p : at(network.pieces, i).points) {
+    for (const Vec2 p : network.pieces[at(i)].points) {
       const Place place = zone.place_of(p);
-      if (place == Place::inside) at(inside, sets.find(junctions + i)) = 1;
-      if (place == Place::outside) at(outside, sets.find(junctions + i)) = 1;
+      if (place == Place::inside) inside[at(sets.find(junctions + i))] = 1;
+      if (place == Place::outside) outside[at(sets.find(junctions + i))] = 1;
     }
   for (int i = 0; i < count; ++i) {
     const int set = sets.find(junctions + i);
-    if (at(inside, set) && at(outside, set)) return false;
-    at(network.pieces, i).kept = (at(inside, set) != 0) == keep_inside;
+    if (inside[at(set)] && outside[at(set)]) return false;
+    network.pieces[at(i)].kept = (inside[at(set)] != 0) == keep_inside;
   }
   return true;
 }
@@ -248,7 +248,7 @@ std::optional<std::vector<std::array<bool, 2>>> holders(const Network& old_netwo
   const auto count = [](const Network& network, std::vector<std::array<int, 2>>& held) {
     for (const GraftPiece& piece : network.pieces)
       for (const PieceEnd& end : piece.ends)
-        if (piece.kept && end.cut >= 0) ++at(at(held, end.cut), end.side);
+        if (piece.kept && end.cut >= 0) ++held[at(end.cut)][at(end.side)];
   };
   count(old_network, held_by_old);
   count(new_network, held_by_new);
@@ -269,9 +269,9 @@ std::optional<Networks> cut_both(const Chains& old_chains, const Chains& new_cha
                                  const Zone& zone) {
   std::vector<std::vector<ChainCut>> of_old(old_chains.chains.size()), of_new(new_chains.chains.size());
   for (int c = 0; c < static_cast<int>(cuts.size()); ++c) {
-    const Cut& cut = at(cuts, c);
-    at(of_old, cut.old_chain).push_back({static_cast<double>(cut.old_point), c, true});
-    at(of_new, cut.fresh.chain).push_back({cut.fresh.at, c, cut.same_way});
+    const Cut& cut = cuts[at(c)];
+    of_old[at(cut.old_chain)].push_back({static_cast<double>(cut.old_point), c, true});
+    of_new[at(cut.fresh.chain)].push_back({cut.fresh.at, c, cut.same_way});
   }
   Networks networks{cut_network(old_chains, std::move(of_old)), cut_network(new_chains, std::move(of_new))};
   if (!choose(networks.old_network, zone, false) || !choose(networks.new_network, zone, true)) return std::nullopt;
@@ -312,9 +312,9 @@ class Assembly {
     const int old_junctions = static_cast<int>(old_chains.junctions.size());
     for (GraftPiece& piece : networks.new_network.pieces)
       for (const int e : {0, 1}) {
-        const int cut = at(piece.ends, e).cut;
+        const int cut = piece.ends[at(e)].cut;
         if (piece.kept && cut >= 0)
-          lead_to(piece, e == 0, at(at(old_chains.chains, at(cuts, cut).old_chain).points, at(cuts, cut).old_point), fade);
+          lead_to(piece, e == 0, old_chains.chains[at(cuts[at(cut)].old_chain)].points[at(cuts[at(cut)].old_point)], fade);
       }
     take(networks.new_network, old_junctions);
   }
@@ -322,9 +322,9 @@ class Assembly {
   Chains take_chains() {
     std::vector<std::uint8_t> used(pieces_.size(), 0);
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-      if (at(used, i)) continue;
+      if (used[at(i)]) continue;
       const Way way = way_through(i);
-      for (const Step& step : way.steps) at(used, step.piece) = 1;
+      for (const Step& step : way.steps) used[at(step.piece)] = 1;
       result_.chains.push_back(joined(way));
     }
     renumber_junctions();
@@ -350,11 +350,11 @@ class Assembly {
       if (!piece.kept) continue;
       const int index = static_cast<int>(pieces_.size());
       for (const int e : {0, 1}) {
-        PieceEnd& end = at(piece.ends, e);
+        PieceEnd& end = piece.ends[at(e)];
         if (end.junction >= 0) end.junction += first_junction;
-        if (end.cut >= 0) at(at(links_, end.cut), end.side) = {index, e == 0};
+        if (end.cut >= 0) links_[at(end.cut)][at(end.side)] = {index, e == 0};
       }
-      const Chain* const chain = &at(network.chains.chains, piece.chain);
+      const Chain* const chain = &network.chains.chains[at(piece.chain)];
       pieces_.push_back({std::move(piece), chain});
     }
     result_.junctions.insert(result_.junctions.end(), network.chains.junctions.begin(), network.chains.junctions.end());
@@ -363,11 +363,11 @@ class Assembly {
   // The step after one that leaves through this end.
   std::optional<Step> beyond(const PieceEnd& end) const {
     if (end.cut < 0) return std::nullopt;
-    return at(at(links_, end.cut), 1 - end.side);
+    return links_[at(end.cut)][at(1 - end.side)];
   }
 
   const PieceEnd& end_of(const Step& step, bool last) const {
-    return at(at(pieces_, step.piece).piece.ends, step.forward == last ? 1 : 0);
+    return pieces_[at(step.piece)].piece.ends[at(step.forward == last ? 1 : 0)];
   }
 
   Way way_through(int piece) const {
@@ -385,7 +385,7 @@ class Assembly {
   }
 
   Chain joined(const Way& way) const {
-    const Kept& first = at(pieces_, way.steps.front().piece);
+    const Kept& first = pieces_[at(way.steps.front().piece)];
     Chain chain = *first.chain;
     if (way.steps.size() == 1 && !way.closed) {
       chain.points = first.piece.points;
@@ -395,11 +395,11 @@ class Assembly {
       double length = 0, weighted = 0;
       chain.confirmed = 0;
       for (const Step& step : way.steps) {
-        auto points = at(pieces_, step.piece).piece.points;
+        auto points = pieces_[at(step.piece)].piece.points;
         if (!step.forward) std::reverse(points.begin(), points.end());
         const double here = lengths_along(points).back();
         length += here;
-        weighted += here * at(pieces_, step.piece).chain->width;
+        weighted += here * pieces_[at(step.piece)].chain->width;
         chain.points.insert(chain.points.end(), points.begin() + (chain.points.empty() ? 0 : 1), points.end());
       }
       chain.width = weighted / length;
@@ -413,7 +413,7 @@ class Assembly {
     std::vector<int> number(result_.junctions.size(), -1);
     for (const Chain& chain : result_.chains)
       for (const int j : {chain.start_junction, chain.end_junction})
-        if (j >= 0) at(number, j) = 0;
+        if (j >= 0) number[at(j)] = 0;
     std::vector<Vec2> kept;
     for (std::size_t j = 0; j < number.size(); ++j)
       if (number[j] == 0) {
@@ -422,7 +422,7 @@ class Assembly {
       }
     for (Chain& chain : result_.chains)
       for (int* const j : {&chain.start_junction, &chain.end_junction})
-        if (*j >= 0) *j = at(number, *j);
+        if (*j >= 0) *j = number[at(*j)];
     result_.junctions = std::move(kept);
   }
 
