@@ -7,6 +7,7 @@
 
 #include "base/polyline.h"
 #include "base/sample.h"
+#include "graph/dissolve.h"
 #include "refine/arrival.h"
 #include "refine/ownership.h"
 
@@ -326,73 +327,6 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
       result.chains.push_back(std::move(piece));
     }
   return dissolve_junctions(std::move(result));
-}
-
-Chains dissolve_junctions(Chains chains) {
-  std::vector<std::vector<End>> at(chains.junctions.size());
-  const auto collect = [&] {
-    for (auto& ends : at) ends.clear();
-    for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
-      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
-      if (chain.start_junction >= 0) at[static_cast<std::size_t>(chain.start_junction)].push_back({c, true});
-      if (chain.end_junction >= 0) at[static_cast<std::size_t>(chain.end_junction)].push_back({c, false});
-    }
-  };
-  // Keeps the order of `collect`: by chain, starts first.
-  const auto rename = [&](int junction, End from, End to) {
-    if (junction < 0) return;
-    auto& ends = at[static_cast<std::size_t>(junction)];
-    const auto rank = [](End e) { return std::pair(e.chain, !e.at_start); };
-    std::erase_if(ends, [&](End e) { return rank(e) == rank(from); });
-    ends.insert(std::find_if(ends.begin(), ends.end(), [&](End e) { return rank(e) > rank(to); }), to);
-  };
-  collect();
-  for (std::size_t j = 0; j < at.size(); ++j) {
-    if (at[j].size() == 1) {
-      auto& chain = chains.chains[static_cast<std::size_t>(at[j][0].chain)];
-      (at[j][0].at_start ? chain.start_junction : chain.end_junction) = -1;
-    }
-    if (at[j].size() != 2) continue;
-    const End a = at[j][0], b = at[j][1];
-    auto& first = chains.chains[static_cast<std::size_t>(a.chain)];
-    if (a.chain == b.chain) {
-      first.closed = true;
-      first.start_junction = first.end_junction = -1;
-      first.points.back() = first.points.front();
-      continue;
-    }
-    auto& second = chains.chains[static_cast<std::size_t>(b.chain)];
-    if (a.at_start) {
-      rename(first.end_junction, {a.chain, false}, {a.chain, true});
-      std::reverse(first.points.begin(), first.points.end());
-      std::swap(first.start_junction, first.end_junction);
-    }
-    if (!b.at_start) {
-      std::reverse(second.points.begin(), second.points.end());
-      std::swap(second.start_junction, second.end_junction);
-    }
-    rename(second.end_junction, {b.chain, !b.at_start}, {a.chain, false});
-    first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
-    first.end_junction = second.end_junction;
-    second.points.clear();
-    second.start_junction = second.end_junction = -1;
-  }
-  std::erase_if(chains.chains, [](const Chain& c) { return c.points.size() < 2; });
-  // Keep only junctions in use, in their order.
-  std::vector<int> renumbered(chains.junctions.size(), -1);
-  collect();
-  std::vector<Vec2> kept;
-  for (std::size_t j = 0; j < at.size(); ++j)
-    if (at[j].size() >= 2) {
-      renumbered[j] = static_cast<int>(kept.size());
-      kept.push_back(chains.junctions[j]);
-    }
-  for (auto& chain : chains.chains) {
-    if (chain.start_junction >= 0) chain.start_junction = renumbered[static_cast<std::size_t>(chain.start_junction)];
-    if (chain.end_junction >= 0) chain.end_junction = renumbered[static_cast<std::size_t>(chain.end_junction)];
-  }
-  chains.junctions = std::move(kept);
-  return chains;
 }
 
 namespace {

@@ -37,7 +37,4 @@ Chains reach_ends(Chains chains, const Ink& ink, const EndOptions& options);
 // A free end that a fill lies straight ahead of, within `reach` px, goes on to its rim.
 Chains reach_fills(Chains chains, const Fills& fills, double reach);
 
-// Joins chains pairwise at junctions that only two chain ends share.
-Chains dissolve_junctions(Chains chains);
-
 }  // namespace inkgrid

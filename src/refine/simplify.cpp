@@ -7,7 +7,7 @@
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "base/union_find.h"
-#include "refine/ends.h"
+#include "graph/dissolve.h"
 #include "refine/ownership.h"
 
 namespace inkgrid {
