@@ -2,119 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
-#include "drawings.h"
 #include "fit/fit.h"
+#include "lines_to_fit.h"
 
 namespace inkgrid {
 namespace {
 
-using Line = std::vector<Vec2>;
+using namespace inkgrid::testing;
 using Cubics = std::vector<Cubic>;
-using std::numbers::pi;
 
 constexpr FitOptions kOptions{0.6, 6};
-
-Vec2 at(const Cubic& c, double t) {
-  const double s = 1 - t;
-  return s * s * s * c.p0 + 3 * s * s * t * c.p1 + 3 * s * t * t * c.p2 + t * t * t * c.p3;
-}
-
-// Points of a polygon at steps of about `step`, its vertices among them.
-Line dense(const Line& vertices, double step = 1) {
-  Line line{vertices.front()};
-  for (std::size_t i = 1; i < vertices.size(); ++i) {
-    const int pieces = std::max(1, static_cast<int>(norm(vertices[i] - vertices[i - 1]) / step));
-    for (int k = 1; k <= pieces; ++k) line.push_back(lerp(vertices[i - 1], vertices[i], static_cast<double>(k) / pieces));
-  }
-  return line;
-}
-
-Line arc(Vec2 centre, double radius, double from, double to) {
-  return testing::arc(centre, radius, from, to, std::max(8, static_cast<int>(radius * std::abs(to - from))));
-}
-
-Line full_circle(Vec2 centre, double radius) {
-  Line line = arc(centre, radius, 0.3, 0.3 + 2 * pi);
-  line.back() = line.front();
-  return line;
-}
-
-Line joined(const std::vector<Line>& parts) {
-  Line line;
-  for (const Line& part : parts)
-    for (const Vec2 p : part)
-      if (line.empty() || norm(p - line.back()) > 1e-9) line.push_back(p);
-  return line;
-}
-
-Line rounded_rectangle(double w, double h, double r) {
-  Line line = joined({dense({{r, 0}, {w - r, 0}}), arc({w - r, r}, r, -pi / 2, 0), dense({{w, r}, {w, h - r}}),
-                      arc({w - r, h - r}, r, 0, pi / 2), dense({{w - r, h}, {r, h}}), arc({r, h - r}, r, pi / 2, pi),
-                      dense({{0, h - r}, {0, r}}), arc({r, r}, r, pi, 1.5 * pi)});
-  line.back() = line.front();
-  return line;
-}
-
-Line star_vertices(int points, double outer, double inner) {
-  Line vertices;
-  for (int i = 0; i <= 2 * points; ++i) {
-    const double angle = pi * (i % (2 * points)) / points + 0.3;
-    vertices.push_back((i % 2 ? inner : outer) * Vec2{std::cos(angle), std::sin(angle)});
-  }
-  return vertices;
-}
-
-Line ellipse(double a, double b) {
-  Line line;
-  for (int i = 0; i <= 400; ++i) line.push_back({a * std::cos(2 * pi * i / 400), b * std::sin(2 * pi * i / 400)});
-  line.back() = line.front();
-  return line;
-}
-
-// A cubic polynomial wave: one inflection.
-Line s_curve() {
-  const Cubic c{{0, 0}, {120, 10}, {30, 140}, {150, 150}};
-  Line line;
-  for (int i = 0; i <= 250; ++i) line.push_back(at(c, i / 250.0));
-  return line;
-}
-
-// A curve of random, slowly changing curvature of radius 17 at least.
-Line smooth_walk(unsigned seed, int steps) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Line line;
-  Vec2 p{300, 300};
-  double angle = 0, curvature = 0;
-  for (int i = 0; i < steps; ++i) {
-    line.push_back(p);
-    curvature = std::clamp(0.97 * curvature + 0.004 * normal(random), -0.06, 0.06);
-    angle += curvature;
-    p += Vec2{std::cos(angle), std::sin(angle)};
-  }
-  return line;
-}
-
-Line noisy(Line line, bool closed, unsigned seed, double amplitude = 0.25) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> shift(-amplitude, amplitude);
-  for (Vec2& p : line) p += Vec2{shift(random), shift(random)};
-  if (closed) line.back() = line.front();
-  return line;
-}
-
-Line mapped(Line line, Vec2 rotation, Vec2 shift) {
-  for (Vec2& p : line) p = rotation * p + shift;
-  return line;
-}
 
 Line sampled(const Cubics& cubics, int steps = 64) {
   Line line;
   for (const Cubic& c : cubics)
-    for (int i = 0; i <= steps; ++i) line.push_back(at(c, static_cast<double>(i) / steps));
+    for (int i = 0; i <= steps; ++i) line.push_back(point_on(c, static_cast<double>(i) / steps));
   return line;
 }
 
@@ -123,7 +27,7 @@ double reach(const Line& a, const Line& b) {
   double worst = 0;
   for (const Vec2 p : a) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < b.size(); ++i) nearest = std::min(nearest, testing::distance_to_segment(p, b[i], b[i + 1]));
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) nearest = std::min(nearest, distance_to_segment(p, b[i], b[i + 1]));
     worst = std::max(worst, nearest);
   }
   return worst;
@@ -181,9 +85,9 @@ struct Shape {
 std::vector<Shape> smooth_shapes() {
   return {{"line", dense({{10, 20}, {230, 70}}), false, 1},
           {"short line", dense({{10, 20}, {13, 21}}), false, 1},
-          {"quarter arc", arc({5, 5}, 100, 0.2, 0.2 + pi / 2), false, 1},
-          {"small quarter arc", arc({5, 5}, 15, 0.2, 0.2 + pi / 2), false, 1},
-          {"half circle", arc({5, 5}, 100, 0.2, 0.2 + pi), false, 2},
+          {"quarter arc", dense_arc({5, 5}, 100, 0.2, 0.2 + pi / 2), false, 1},
+          {"small quarter arc", dense_arc({5, 5}, 15, 0.2, 0.2 + pi / 2), false, 1},
+          {"half circle", dense_arc({5, 5}, 100, 0.2, 0.2 + pi), false, 2},
           {"circle 100", full_circle({110, 110}, 100), true, 4},
           {"circle 20", full_circle({30, 30}, 20), true, 4},
           {"circle 7.5", full_circle({30, 30}, 7.5), true, 4},
@@ -191,7 +95,7 @@ std::vector<Shape> smooth_shapes() {
           {"s", s_curve(), false, 2},
           {"rounded rectangle", rounded_rectangle(200, 120, 30), true, 8},
           {"small rounded rectangle", rounded_rectangle(80, 60, 12), true, 8},
-          {"hook", joined({dense({{10, 100}, {90, 100}}), arc({90, 60}, 40, pi / 2, -pi / 2), dense({{90, 20}, {30, 20}})}),
+          {"hook", joined({dense({{10, 100}, {90, 100}}), dense_arc({90, 60}, 40, pi / 2, -pi / 2), dense({{90, 20}, {30, 20}})}),
            false, 4}};
 }
 
@@ -305,7 +209,7 @@ TEST(Fit, RoundedCornersAreSharpened) {
   for (const double radius : {1.0, 2.0, 3.0})
     for (const unsigned seed : {0u, 1u, 2u}) {
       SCOPED_TRACE(radius);
-      Line line = joined({dense({{10, 10}, {100 - radius, 10}}), arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
+      Line line = joined({dense({{10, 10}, {100 - radius, 10}}), dense_arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
                           dense({{100, 10 + radius}, {100, 100}})});
       if (seed > 0) line = noisy(line, false, seed);
       const Cubics cubics = fit_polyline(line, false, kOptions);
@@ -317,7 +221,7 @@ TEST(Fit, RoundedCornersAreSharpened) {
 TEST(Fit, BendsOfAStrokeWidthAndMoreAreNotCorners) {
   for (const double radius : {8.0, 12.0, 20.0}) {
     SCOPED_TRACE(radius);
-    const Line line = joined({dense({{10, 10}, {100 - radius, 10}}), arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
+    const Line line = joined({dense({{10, 10}, {100 - radius, 10}}), dense_arc({100 - radius, 10 + radius}, radius, -pi / 2, 0),
                               dense({{100, 10 + radius}, {100, 100}})});
     expect_smooth(fit_polyline(line, false, kOptions), false);
   }
@@ -330,7 +234,7 @@ TEST(Fit, ASeamMovesToACorner) {
   const Vec2 up = centre + radius * Vec2{-std::sin(opening), std::cos(opening)};
   const Vec2 down = centre + radius * Vec2{-std::sin(opening), -std::cos(opening)};
   const double last = std::atan2(up.y - centre.y, up.x - centre.x);
-  Line line = joined({arc(centre, radius, 0, last), dense({up, tip, down}), arc(centre, radius, -last, 0)});
+  Line line = joined({dense_arc(centre, radius, 0, last), dense({up, tip, down}), dense_arc(centre, radius, -last, 0)});
   line.back() = line.front();
   const Cubics cubics = fit_polyline(line, true, kOptions);
   expect_chain(cubics, line, true);

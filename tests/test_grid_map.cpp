@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numeric>
 #include <random>
 #include <thread>
@@ -426,56 +425,6 @@ TEST(GridMap, EmptyMesh) {
   const GridMap map = solve(mesh, {}, {}, ink_of(4));
   EXPECT_TRUE(map.base.empty());
   EXPECT_EQ(map.alignment_energy, 0);
-}
-
-using Complex = std::complex<double>;
-Complex complex(IVec2 a) {
-  return {static_cast<double>(a.x), static_cast<double>(a.y)};
-}
-
-// Against all small vectors: those that satisfy the equations are integer combinations of the free ones, and no others.
-TEST(ShiftLattice, HoldsAllIntegerSolutionsAndNoOthers) {
-  std::mt19937 random(9);
-  std::uniform_int_distribution<int> factor(-3, 3);
-  const int unknowns = 4;
-  for (int trial = 0; trial < 60; ++trial) {
-    const int equations = 1 + trial % 3;
-    ShiftLattice lattice(unknowns);
-    std::vector<ShiftForm> sums;
-    Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(equations, unknowns);
-    for (int e = 0; e < equations; ++e) {
-      ShiftForm sum;
-      for (int k = 0; k < unknowns; ++k) {
-        const IVec2 f{factor(random), factor(random)};
-        if (f == IVec2{}) continue;
-        sum.push_back({k, f});
-        matrix(e, k) = complex(f);
-      }
-      sums.push_back(sum);
-      lattice.require_zero(sum);
-    }
-    for (const ShiftForm& sum : sums) EXPECT_TRUE(lattice.resolve(sum).empty());
-    const std::vector<int> free = lattice.free_shifts();
-    EXPECT_EQ(static_cast<int>(free.size()), unknowns - Eigen::FullPivLU<Eigen::MatrixXcd>(matrix).rank());
-    Eigen::MatrixXcd generators = Eigen::MatrixXcd::Zero(unknowns, static_cast<Eigen::Index>(free.size()));
-    for (int k = 0; k < unknowns; ++k)
-      for (const ShiftTerm& term : lattice.resolve({{k, {1, 0}}})) {
-        const auto place = std::lower_bound(free.begin(), free.end(), term.shift);
-        ASSERT_TRUE(place != free.end() && *place == term.shift);
-        generators(k, place - free.begin()) = complex(term.factor);
-      }
-    if (free.empty()) continue;
-    const auto decomposition = generators.colPivHouseholderQr();
-    for (int code = 0; code < 6561; ++code) {  // each of eight parts is -1, 0 or 1
-      Eigen::VectorXcd x(unknowns);
-      for (int k = 0, rest = code; k < unknowns; ++k, rest /= 9) x[k] = {rest % 3 - 1.0, rest / 3 % 3 - 1.0};
-      if ((matrix * x).norm() > 1e-9) continue;
-      const Eigen::VectorXcd z = decomposition.solve(x);
-      EXPECT_LT((generators * z - x).norm(), 1e-9);
-      for (const Complex& value : z)
-        EXPECT_LT(std::abs(value - Complex{std::round(value.real()), std::round(value.imag())}), 1e-9);
-    }
-  }
 }
 
 }  // namespace

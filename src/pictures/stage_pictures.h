@@ -1,4 +1,6 @@
 // What:   a picture of every stage over the drawing, so that a person sees why a result is as it is.
+// Source: ours; the figures of the paper show the same stages.
+// Cost:   that of the painter.
 #pragma once
 
 #include <string>
@@ -10,13 +12,12 @@
 
 namespace inkgrid {
 
-// One picture by the name its file has, without number: "ink", "band", "field", "labels", "grid", "chains", "curves".  False
-// where there is none of that name.
+// One picture by the name its file has, without number: "ink", "strokes", "band", "field", "labels" (two label colours, cuts,
+// singularities), "grid" (coloured isolines of both families, nodes), "chains" (the edges that were kept), "curves" (curves,
+// control points, ends, junctions).  False where there is none of that name.
 bool paint_stage(std::string_view name, Painter& painter, const Stages& stages);
 
-// Writes 1-ink.png, 2-band.png, 3-field.png, 4-labels.png (two label colours, cuts, singularities), 5-grid.png (coloured isolines
-// of both families, nodes), 6-chains.png (the edges that were kept), 7-curves.png (curves, control points, ends, junctions) into
-// `directory`, which is made if missing. Throws Error{file}.
+// Writes all of them, numbered in that order (1-ink.png, ...), into `directory`, which is made if missing.  Throws Error{file}.
 void write_stage_pictures(const std::string& directory, const Image& image, const Stages& stages);
 
 }  // namespace inkgrid
