@@ -15,7 +15,6 @@
 namespace inkgrid {
 namespace {
 
-using testing::at;
 using testing::kPi;
 
 constexpr Vec2 kCentre{0, 0};

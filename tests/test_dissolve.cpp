@@ -13,6 +13,10 @@
 namespace inkgrid {
 namespace {
 
+using namespace testing;
+
+constexpr double kWidth = 6;  // px
+
 // Chains of some points, each between two junctions out of `junctions`, or free, or closed.
 Chains random_network(int junctions, int chains, unsigned seed) {
   std::mt19937 random(seed);
@@ -58,7 +62,7 @@ TEST(Dissolve, RandomNetworksKeepTheirForksAndWhatIsDrawn) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Chains before = random_network(6, 8, seed), after = dissolve_junctions(before);
-    testing::expect_consistent(after);
+    expect_consistent(after);
     EXPECT_EQ(steps_of(after), steps_of(before));
     EXPECT_EQ(forks_of(after), forks_of(before));
     EXPECT_EQ(after.junctions.size(), forks_of(after).size());
@@ -66,25 +70,46 @@ TEST(Dissolve, RandomNetworksKeepTheirForksAndWhatIsDrawn) {
   }
 }
 
-TEST(Dissolve, TwoChainsFromOneJunctionAreALine) {
-  Chain left, right;
-  left.points = {{1, 0}, {0, 0}};
-  right.points = {{1, 0}, {2, 0}};
-  left.start_junction = right.start_junction = 0;
-  const Chains line = dissolve_junctions({{{1, 0}}, {left, right}});
-  ASSERT_EQ(line.chains.size(), 1U);
-  EXPECT_EQ(line.chains[0].points, (std::vector<Vec2>{{0, 0}, {1, 0}, {2, 0}}));
-  EXPECT_FALSE(line.chains[0].closed);
+TEST(Dissolve, JoinsTwoChainsWhicheverWayTheyRun) {
+  const Vec2 a{10, 10}, middle{50, 20}, b{90, 70};
+  for (const bool first_reversed : {false, true})
+    for (const bool second_reversed : {false, true}) {
+      const Chain first = first_reversed ? chain_along({middle, a}, kWidth, 0, -1) : chain_along({a, middle}, kWidth, -1, 0);
+      const Chain second = second_reversed ? chain_along({b, middle}, kWidth, -1, 0) : chain_along({middle, b}, kWidth, 0, -1);
+      const Chains whole = dissolve_junctions({{middle}, {first, second}});
+      ASSERT_EQ(whole.chains.size(), 1u);
+      EXPECT_TRUE(whole.junctions.empty());
+      const auto& points = whole.chains[0].points;
+      EXPECT_EQ(points.size(), first.points.size() + second.points.size() - 1);
+      EXPECT_TRUE((points.front() == a && points.back() == b) || (points.front() == b && points.back() == a));
+      EXPECT_NEAR(length_of(whole.chains[0]), norm(middle - a) + norm(b - middle), 1e-9);
+      EXPECT_LT(farthest_from(points, {a, middle, b}), 1e-9);
+      EXPECT_EQ(whole.chains[0].start_junction, -1);
+      EXPECT_EQ(whole.chains[0].end_junction, -1);
+    }
 }
 
-TEST(Dissolve, ChainFromAJunctionToItselfIsClosed) {
-  Chain round;
-  round.points = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
-  round.start_junction = round.end_junction = 0;
-  const Chains closed = dissolve_junctions({{{0, 0}}, {round}});
-  ASSERT_EQ(closed.chains.size(), 1U);
-  EXPECT_TRUE(closed.chains[0].closed);
-  EXPECT_TRUE(closed.junctions.empty());
+TEST(Dissolve, ClosesARingAndKeepsTrueJunctions) {
+  const Vec2 a{10, 10}, b{50, 10}, c{30, 50};
+  const Chains ring = dissolve_junctions(
+      {{a, b, c}, {chain_along({a, b}, kWidth, 0, 1), chain_along({c, b}, kWidth, 2, 1), chain_along({c, a}, kWidth, 2, 0)}});
+  ASSERT_EQ(ring.chains.size(), 1u);
+  EXPECT_TRUE(ring.chains[0].closed);
+  expect_consistent(ring);
+  EXPECT_NEAR(length_of(ring.chains[0]), norm(b - a) + norm(c - b) + norm(a - c), 1e-9);
+
+  const Chains star = dissolve_junctions(
+      {{{0, 0}, a},
+       {chain_along({a, b}, kWidth, 1, -1), chain_along({a, c}, kWidth, 1, -1), chain_along({{90, 90}, a}, kWidth, -1, 1)}});
+  EXPECT_EQ(star.chains.size(), 3u);
+  ASSERT_EQ(star.junctions.size(), 1u);
+  expect_consistent(star);
+}
+
+TEST(Dissolve, AJunctionWithOneBranchIsAFreeEnd) {
+  const Chains lone = dissolve_junctions({{{10, 10}}, {chain_along({{10, 10}, {90, 10}}, kWidth, 0, -1)}});
+  EXPECT_TRUE(lone.junctions.empty());
+  EXPECT_EQ(lone.chains[0].start_junction, -1);
 }
 
 }  // namespace

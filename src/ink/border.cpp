@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
+
+#include "base/median.h"
 
 namespace inkgrid {
 namespace {
 
 constexpr double kWhole = 0.6;  // of the usual width: a stroke that is wider is seen whole
 constexpr int kSlender = 4;     // times as long as wide: runs along the border instead of over it
-
-template <class T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // The image as seen from one side: how far along it, and how far inside.
 class Side {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/at.h"
 #include "base/contour.h"
+#include "base/median.h"
 #include "base/polyline.h"
 
 namespace inkgrid {
@@ -52,9 +54,7 @@ float median_darkness(int fill, const Box& box, const Fills& fills, const Binari
   for (int y = box.y0; y <= box.y1; ++y)
     for (int x = box.x0; x <= box.x1; ++x)
       if (fills.region(x, y) == fill) values.push_back(ink.darkness(x, y));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(std::move(values));
 }
 
 // Binomial weights 1 2 1 along rows and columns, as wide as a pixel: the steps of a picture of two tones become straight.

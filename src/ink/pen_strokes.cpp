@@ -7,6 +7,7 @@
 
 #include "base/at.h"
 #include "base/index_raster.h"
+#include "base/median.h"
 #include "ink/ink.h"
 
 namespace inkgrid {
@@ -130,10 +131,7 @@ double median_width(const PenStrokes& strokes, const Raster<float>& darkness) {
   std::vector<double> widths;
   for (const CentrePixel& c : strokes.centres)
     if (c.of_stroke) widths.push_back(width_at(c, strokes, darkness));
-  if (widths.empty()) return 0;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return *middle;
+  return widths.empty() ? 0 : median(std::move(widths));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "base/polyline.h"
 #include "base/sample.h"
@@ -24,12 +26,6 @@ constexpr double kThread = 0.35;  // of what slimming leaves of a stroke
 constexpr double kTaken = 1.5;    // times what slimming usually takes
 constexpr double kRimNoise = 1;   // px
 constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // One side of a cross-section: how far the ink goes, and whether paper ends it.
 struct Side {
@@ -173,14 +169,45 @@ void doubt_rims(RidgeChain& ridge, const std::vector<Vec2>& normals, double stro
   }
 }
 
+// A symmetric positive definite system of five diagonals: the places (k, k), (k, k - 1) and (k, k - 2) of each row.
+struct FiveDiagonals {
+  std::vector<double> diagonal, first, second;
+
+  explicit FiveDiagonals(std::size_t n) : diagonal(n), first(n, 0.0), second(n, 0.0) {}
+};
+
+// By L D L^T in place.
+std::vector<double> solve(FiveDiagonals system, std::vector<double> x) {
+  auto& [diagonal, first, second] = system;
+  const std::size_t n = x.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    double l2 = 0, l1 = 0;
+    if (k >= 2) l2 = second[k] / diagonal[k - 2];
+    if (k >= 1) l1 = (first[k] - (k >= 2 ? l2 * diagonal[k - 2] * first[k - 1] : 0)) / diagonal[k - 1];
+    if (k >= 2) diagonal[k] -= l2 * l2 * diagonal[k - 2];
+    if (k >= 1) diagonal[k] -= l1 * l1 * diagonal[k - 1];
+    second[k] = l2;
+    first[k] = l1;
+    if (k >= 1) x[k] -= l1 * x[k - 1];
+    if (k >= 2) x[k] -= l2 * x[k - 2];
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] /= diagonal[k];
+    if (k + 1 < n) x[k] -= first[k + 1] * x[k + 1];
+    if (k + 2 < n) x[k] -= second[k + 2] * x[k + 2];
+  }
+  return x;
+}
+
 // Minimises  sum w (d - offset)^2 + bend |second difference of (p + d n)|^2  over the displacements d, with a stiffness `bend` a
-// point: a system of five diagonals.
+// point.
 std::vector<double> smoothed_displacements(const std::vector<Vec2>& points, const std::vector<Vec2>& normals,
                                            const std::vector<CrossSection>& sections, const std::vector<double>& bend) {
   const std::size_t n = points.size();
-  std::vector<double> diagonal(n), first(n, 0.0), second(n, 0.0), right(n);
+  FiveDiagonals system(n);
+  std::vector<double> right(n);
   for (std::size_t k = 0; k < n; ++k) {
-    diagonal[k] = sections[k].weight + kAnchor;
+    system.diagonal[k] = sections[k].weight + kAnchor;
     right[k] = sections[k].weight * sections[k].offset;
   }
   constexpr double kStencil[3] = {1, -2, 1};
@@ -191,28 +218,11 @@ std::vector<double> smoothed_displacements(const std::vector<Vec2>& points, cons
       right[a] -= bend[k] * kStencil[i] * dot(normals[a], rest);
       for (std::size_t j = 0; j <= i; ++j) {
         const double value = bend[k] * kStencil[i] * kStencil[j] * dot(normals[a], normals[k - 1 + j]);
-        (i == j ? diagonal : i == j + 1 ? first : second)[a] += value;
+        (i == j ? system.diagonal : i == j + 1 ? system.first : system.second)[a] += value;
       }
     }
   }
-  // L D L^T in place.
-  for (std::size_t k = 0; k < n; ++k) {
-    double l2 = 0, l1 = 0;
-    if (k >= 2) l2 = second[k] / diagonal[k - 2];
-    if (k >= 1) l1 = (first[k] - (k >= 2 ? l2 * diagonal[k - 2] * first[k - 1] : 0)) / diagonal[k - 1];
-    if (k >= 2) diagonal[k] -= l2 * l2 * diagonal[k - 2];
-    if (k >= 1) diagonal[k] -= l1 * l1 * diagonal[k - 1];
-    second[k] = l2;
-    first[k] = l1;
-    if (k >= 1) right[k] -= l1 * right[k - 1];
-    if (k >= 2) right[k] -= l2 * right[k - 2];
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    right[k] /= diagonal[k];
-    if (k + 1 < n) right[k] -= first[k + 1] * right[k + 1];
-    if (k + 2 < n) right[k] -= second[k + 2] * right[k + 2];
-  }
-  return right;
+  return solve(std::move(system), std::move(right));
 }
 
 // Repeats both ends of a closed sequence, so that what is done to an open one holds at the seam too.
