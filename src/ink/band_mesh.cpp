@@ -292,7 +292,7 @@ std::vector<int> sorted_by(const std::vector<int>& items, Key key) {
   for (const int item : items) ++next[static_cast<std::size_t>(key(item) - low) + 1];
   for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
   std::vector<int> sorted(items.size());
-  for (const int item : items) sorted[at(next[static_cast<std::size_t>(key(item) - low)]++)] = item;
+  for (const int item : items) sorted[at(next[at(key(item) - low)]++)] = item;
   return sorted;
 }
 
@@ -401,8 +401,8 @@ std::vector<std::uint8_t> boundary_vertices(const BandMesh& mesh) {
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
     if (mesh.twins[at(h)] >= 0) continue;
     const auto& t = mesh.faces[at(face_of(h))];
-    boundary[at(t[static_cast<std::size_t>(h % 3)])] = 1;
-    boundary[at(t[static_cast<std::size_t>((h + 1) % 3)])] = 1;
+    boundary[at(t[at(h % 3)])] = 1;
+    boundary[at(t[at((h + 1) % 3)])] = 1;
   }
   return boundary;
 }

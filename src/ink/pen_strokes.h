@@ -27,8 +27,8 @@ struct PenStrokes {
 // Euclidean distance to the nearest paper pixel, px; 0 on paper.
 Raster<float> depth_of(const Raster<std::uint8_t>& ink);
 
-// The border of the image is no paper: what lies on it goes on beyond it.  Ink `far_wider` times as wide as the pen is a stroke only
-// where it has the look of a wide pen's.
+// The border of the image is no paper: what lies on it goes on beyond it.  Ink `far_wider` times as wide as the pen is a stroke
+// only where it has the look of a wide pen's.
 PenStrokes find_pen_strokes(const Raster<std::uint8_t>& ink, const Raster<float>& darkness, float far_wider = 2.5F);
 
 }  // namespace inkgrid

@@ -123,7 +123,7 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   }
   std::vector<int> outgoing(static_cast<std::size_t>(first.back())), fill(first.begin(), first.end() - 1);
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (cut_at(h)) outgoing[at(fill[static_cast<std::size_t>(origin(mesh, h))]++)] = h;
+    if (cut_at(h)) outgoing[at(fill[at(origin(mesh, h))]++)] = h;
   const auto is_loose = [&](std::size_t v) { return degree[v] == 1 && !boundary[v] && !charts.singular[v]; };
   for (int start = 0; start < mesh.vertex_count(); ++start) {
     auto v = static_cast<std::size_t>(start);
