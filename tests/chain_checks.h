@@ -28,6 +28,10 @@ inline Chain chain_along(const std::vector<Vec2>& line, double width, int start_
   return chain;
 }
 
+inline double length_of(const Chain& chain) {
+  return lengths_along(chain.points).back();
+}
+
 inline double distance_to_line(Vec2 p, const std::vector<Vec2>& line) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i) least = std::min(least, distance_to_segment(p, line[i], line[i + 1]));

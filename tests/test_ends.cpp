@@ -14,15 +14,12 @@ using testing::blank;
 using testing::chain_along;
 using testing::expect_consistent;
 using testing::ink_of;
+using testing::length_of;
 using testing::paint;
 
 constexpr double kWidth = 6;
 constexpr RidgeOptions kRidge{1, 1.8, 3};
 constexpr EndOptions kEnds{1.5 * kWidth, 1.5 * kWidth, 1, 1, 0};
-
-double length_of(const Chain& chain) {
-  return lengths_along(chain.points).back();
-}
 
 Vec2 towards(double degrees) {
   return {std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};

@@ -12,15 +12,12 @@ using testing::blank;
 using testing::chain_along;
 using testing::expect_consistent;
 using testing::ink_of;
+using testing::length_of;
 using testing::paint;
 
 constexpr double kWidth = 6;
 constexpr double kDoubled = 0.35 * kWidth;
 constexpr double kSpur = 0.35;
-
-double length_of(const Chain& chain) {
-  return lengths_along(chain.points).back();
-}
 
 // Two halves of a line that meet at a junction, with a branch of this length square to them.
 Chains line_with_branch(double branch) {
