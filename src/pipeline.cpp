@@ -104,7 +104,7 @@ double slimness(const Stages& stages) {
 
 BandMesh band_of(const Stages& stages, const ScaleMask* mask) {
   const Options& options = stages.inputs.settled;
-  return build_band(grid_ink(stages), mask, {*options.reach / slimness(stages), options.mesh_size});
+  return build_band(grid_ink(stages), mask, {*options.reach / slimness(stages), options.mesh_size, options.threads});
 }
 
 // `known`: what is kept of the band's solution, if anything.

@@ -124,7 +124,7 @@ class Refinement {
                  coarsest = mask ? std::max(1.0, static_cast<double>(*high)) : 1;
     levels_ = static_cast<int>(std::ceil(std::log2(coarsest / finest) - 1e-9));
     // Circumdiameter of an equilateral triangle: 2 / sqrt(3) sides.
-    filled_ = closed_ink(ink, kFilledHole * options.reach * ink.stroke_width + 0.5);
+    filled_ = closed_ink(ink, kFilledHole * options.reach * ink.stroke_width + 0.5, options.threads);
     side_ = finest * options.mesh_size * ink.stroke_width * std::numbers::sqrt3 / 2;
     finest_ = finest;
     if (levels_ > 0) largest_ = LargestFactor(*mask, 2 * side_ * (1 << levels_));
@@ -387,7 +387,7 @@ BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& op
   number_components(mesh);
   mesh.scale.reserve(mesh.faces.size());
   mesh.on_ink.reserve(mesh.faces.size());
-  const auto strokes = closed_ink(ink, options.reach * ink.stroke_width);
+  const auto strokes = closed_ink(ink, options.reach * ink.stroke_width, options.threads);
   for (int f = 0; f < mesh.face_count(); ++f) {
     mesh.scale.push_back(static_cast<float>(mask_factor(mask, mesh.barycentre(f))));
     mesh.on_ink.push_back(nearest_inside(ink.mask, mesh.barycentre(f)));

@@ -56,6 +56,7 @@ constexpr int previous_halfedge(int halfedge) {
 struct BandOptions {
   double reach = 0.3;       // beta, strokes
   double mesh_size = 0.25;  // largest circumdiameter, strokes
+  int threads = 0;          // 0: as many as the machine has
 };
 
 // Triangles with their barycentre nearer than reach x stroke width x mask factor to a stroke pixel.  Every vertex's faces form

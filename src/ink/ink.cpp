@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "base/sample.h"
 #include "ink/border.h"
 
@@ -122,17 +123,17 @@ Raster<Distance> column_distance(const Raster<std::uint8_t>& mask, Distance most
 }
 
 // Calls visit(x, y) for the pixels within `radius` (Euclidean, between centres) of one of `value`, or for those that are not: in
-// each row, the union of the chords of the discs.  A strip at a time, so that the distances of few rows are held at once.
+// each row, the union of the chords of the discs.  A strip at a time, so that the distances of few rows are held at once; strips
+// may be visited at the same time.
 template <class Visit>
-void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, double radius, bool within, Visit visit) {
+void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, double radius, bool within, int threads, Visit visit) {
   const auto r = static_cast<float>(radius);  // a radius that is whole but for rounding errors is whole
   const int w = mask.width, reach = static_cast<int>(std::floor(std::max(0.0F, r)));
   std::vector<int> half_chord;  // by the distance from the centre
   for (int d = 0; d <= reach; ++d) half_chord.push_back(static_cast<int>(std::sqrt(r * r - static_cast<float>(d * d))));
-  std::vector<int> change(static_cast<std::size_t>(w) + 1);  // of the number of chords over a pixel, from the one before
-  const int height = std::max(kStrip, 4 * reach);
-  for (int top = 0; top < mask.height; top += height) {
-    const int first = std::max(0, top - reach), bottom = std::min(mask.height, top + height);
+  const auto visit_strip = [&](int top, int bottom) {
+    std::vector<int> change(static_cast<std::size_t>(w) + 1);  // of the number of chords over a pixel, from the one before
+    const int first = std::max(0, top - reach);
     Raster<std::uint8_t> strip(w, std::min(mask.height, bottom + reach) - first);
     std::transform(&mask(0, first), &mask(0, first) + strip.data.size(), strip.data.begin(), [&](auto m) { return m == value; });
     const auto distance = column_distance(strip, static_cast<std::uint16_t>(reach + 1));
@@ -149,7 +150,8 @@ void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, doubl
       for (int x = 0; x < w; ++x)
         if (((chords += change[at(x)]) > 0) == within) visit(x, y);
     }
-  }
+  };
+  for_ranges(threads, mask.height, std::max(kStrip, 4 * reach), visit_strip);
 }
 
 bool is_centre(const Raster<std::uint16_t>& depth, int x, int y) {
@@ -214,7 +216,7 @@ Raster<float> distance_to(const Raster<std::uint8_t>& mask) {
   return distance;
 }
 
-Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
+Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads) {
   const int w = ink.width(), h = ink.height(), margin = static_cast<int>(std::ceil(radius)) + 1;
   // What lies on the border goes on beyond it, ink and paper alike.
   Raster<std::uint8_t> extended(w + 2 * margin, h + 2 * margin);
@@ -222,8 +224,8 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius) {
     for (int x = 0; x < extended.width; ++x)
       if (ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1))) extended(x, y) = 1;
   Raster<std::uint8_t> wide(extended.width, extended.height), closed(w, h);
-  for_each_within(extended, 1, radius, true, [&](int x, int y) { wide(x, y) = 1; });
-  for_each_within(wide, 0, radius, false, [&](int x, int y) {
+  for_each_within(extended, 1, radius, true, threads, [&](int x, int y) { wide(x, y) = 1; });
+  for_each_within(wide, 0, radius, false, threads, [&](int x, int y) {
     if (closed.contains(x - margin, y - margin)) closed(x - margin, y - margin) = 1;
   });
   for (std::size_t i = 0; i < closed.data.size(); ++i)

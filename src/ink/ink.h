@@ -35,7 +35,7 @@ struct Ink {
 Raster<float> distance_to(const Raster<std::uint8_t>& mask);
 
 // The ink with paper narrower than 2 radius (px) closed, as between the strokes of one over-sketched line.
-Raster<std::uint8_t> closed_ink(const Ink& ink, double radius);
+Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads = 1);
 
 // The image's border counts as a continuation of what lies on it, not as background.
 Ink measure_ink(Binarisation binarisation);
