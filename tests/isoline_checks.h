@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/at.h"
 #include "graph/isolines.h"
 #include "mapped_meshes.h"
 
@@ -29,16 +30,16 @@ inline std::vector<int> edge_ends(const IsolineGraph& graph) {
   std::vector<int> ends(graph.nodes.size(), 0);
   for (const GraphEdge& e : graph.edges) {
     if (e.from < 0) continue;
-    ++ends[idx(e.from)];
-    ++ends[idx(e.to)];
+    ++ends[at(e.from)];
+    ++ends[at(e.to)];
   }
   return ends;
 }
 
 inline bool inside(const BandMesh& mesh, int face, Vec2 p) {
   for (int k = 0; k < 3; ++k) {
-    const Vec2 a = mesh.points[idx(mesh.faces[idx(face)][idx(k)])];
-    const Vec2 b = mesh.points[idx(mesh.faces[idx(face)][idx((k + 1) % 3)])];
+    const Vec2 a = mesh.points[at(mesh.faces[at(face)][at(k)])];
+    const Vec2 b = mesh.points[at(mesh.faces[at(face)][at((k + 1) % 3)])];
     if (cross(b - a, p - a) < -1e-9) return false;
   }
   return true;
@@ -46,7 +47,7 @@ inline bool inside(const BandMesh& mesh, int face, Vec2 p) {
 
 inline bool adjacent(const BandMesh& mesh, int f, int g) {
   for (int k = 0; k < 3; ++k) {
-    const int other = mesh.twins[idx(3 * f + k)];
+    const int other = mesh.twins[at(3 * f + k)];
     if (other >= 0 && other / 3 == g) return true;
   }
   return false;
@@ -60,10 +61,10 @@ inline void expect_valid_edge(const BandMesh& mesh, const IsolineGraph& graph, c
   if (e.from < 0) {
     EXPECT_EQ(e.path.front(), e.path.back());
   } else {
-    EXPECT_EQ(e.path.front(), graph.nodes[idx(e.from)].position);
-    EXPECT_EQ(e.path.back(), graph.nodes[idx(e.to)].position);
-    EXPECT_EQ(e.from_port >= 0, graph.nodes[idx(e.from)].kind == NodeKind::grid);
-    EXPECT_EQ(e.to_port >= 0, graph.nodes[idx(e.to)].kind == NodeKind::grid);
+    EXPECT_EQ(e.path.front(), graph.nodes[at(e.from)].position);
+    EXPECT_EQ(e.path.back(), graph.nodes[at(e.to)].position);
+    EXPECT_EQ(e.from_port >= 0, graph.nodes[at(e.from)].kind == NodeKind::grid);
+    EXPECT_EQ(e.to_port >= 0, graph.nodes[at(e.to)].kind == NodeKind::grid);
   }
   for (std::size_t i = 0; i < e.faces.size(); ++i) {
     ASSERT_TRUE(std::isfinite(e.path[i].x) && std::isfinite(e.path[i].y));
@@ -79,18 +80,18 @@ inline void expect_valid(const BandMesh& mesh, const IsolineGraph& graph) {
   std::vector<std::array<int, 4>> ports(graph.nodes.size(), {0, 0, 0, 0});
   for (const GraphEdge& e : graph.edges) {
     expect_valid_edge(mesh, graph, e);
-    if (e.from_port >= 0) ++ports[idx(e.from)][idx(e.from_port)];
-    if (e.to_port >= 0) ++ports[idx(e.to)][idx(e.to_port)];
+    if (e.from_port >= 0) ++ports[at(e.from)][at(e.from_port)];
+    if (e.to_port >= 0) ++ports[at(e.to)][at(e.to_port)];
   }
   const std::vector<int> ends = edge_ends(graph);
   for (int n = 0; n < static_cast<int>(graph.nodes.size()); ++n) {
-    const GraphNode& node = graph.nodes[idx(n)];
+    const GraphNode& node = graph.nodes[at(n)];
     EXPECT_TRUE(inside(mesh, node.face, node.position));
     if (node.kind == NodeKind::grid) {
-      EXPECT_EQ(ports[idx(n)], (std::array<int, 4>{1, 1, 1, 1}));
+      EXPECT_EQ(ports[at(n)], (std::array<int, 4>{1, 1, 1, 1}));
     }
     if (node.kind == NodeKind::boundary) {
-      EXPECT_EQ(ends[idx(n)], 1);
+      EXPECT_EQ(ends[at(n)], 1);
     }
   }
 }
@@ -101,11 +102,11 @@ using Place = std::pair<double, double>;
 using FlatEdge = std::tuple<std::vector<Place>, std::vector<int>, std::vector<int>, int, int>;
 
 inline FlatEdge flattened(const GraphEdge& e, const IsolineGraph& graph, const std::vector<Transition>& charts) {
-  auto port = [&](int node, int p) { return p < 0 ? p : (p - charts[idx(graph.nodes[idx(node)].face)].turn + 4) % 4; };
+  auto port = [&](int node, int p) { return p < 0 ? p : (p - charts[at(graph.nodes[at(node)].face)].turn + 4) % 4; };
   std::vector<Place> path;
   std::vector<int> family;
   for (const Vec2 p : e.path) path.push_back({p.x, p.y});
-  for (std::size_t i = 0; i < e.faces.size(); ++i) family.push_back(e.family[i] ^ (charts[idx(e.faces[i])].turn & 1));
+  for (std::size_t i = 0; i < e.faces.size(); ++i) family.push_back(e.family[i] ^ (charts[at(e.faces[i])].turn & 1));
   FlatEdge forward{path, e.faces, family, port(e.from, e.from_port), port(e.to, e.to_port)};
   FlatEdge backward{{path.rbegin(), path.rend()},
                     {e.faces.rbegin(), e.faces.rend()},

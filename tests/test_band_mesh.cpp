@@ -19,13 +19,9 @@ using testing::holes;
 using Line = std::vector<Vec2>;
 using Lines = std::vector<Line>;
 
-std::size_t idx(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::array<Vec2, 3> corners(const BandMesh& mesh, int f) {
-  const auto& t = mesh.faces[idx(f)];
-  return {mesh.points[idx(t[0])], mesh.points[idx(t[1])], mesh.points[idx(t[2])]};
+  const auto& t = mesh.faces[at(f)];
+  return {mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]};
 }
 
 double area(const BandMesh& mesh, int f) {
@@ -50,7 +46,7 @@ double factor_at(const ScaleMask* mask, Vec2 p) {
   if (!mask) return 1;
   const int x = std::clamp(static_cast<int>(std::floor(p.x)), 0, mask->width - 1);
   const int y = std::clamp(static_cast<int>(std::floor(p.y)), 0, mask->height - 1);
-  return static_cast<double>(mask->factor[idx(y * mask->width + x)]);
+  return static_cast<double>(mask->factor[at(y * mask->width + x)]);
 }
 
 double distance_to_ink(const Ink& ink, Vec2 p) {
@@ -86,19 +82,19 @@ void expect_linked(const BandMesh& mesh) {
   ASSERT_EQ(mesh.scale.size(), faces);
   ASSERT_EQ(mesh.on_ink.size(), faces);
   ASSERT_EQ(mesh.in_stroke.size(), faces);
-  const auto end = [&](int h) { return mesh.faces[idx(face_of(h))][idx(h % 3)]; };
+  const auto end = [&](int h) { return mesh.faces[at(face_of(h))][at(h % 3)]; };
   std::set<std::pair<int, int>> sides;
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
     ASSERT_TRUE(sides.insert({end(h), end(next_halfedge(h))}).second);
-    const int twin = mesh.twins[idx(h)];
+    const int twin = mesh.twins[at(h)];
     if (twin < 0) continue;
-    ASSERT_EQ(mesh.twins[idx(twin)], h);
+    ASSERT_EQ(mesh.twins[at(twin)], h);
     ASSERT_EQ(end(twin), end(next_halfedge(h)));
     ASSERT_EQ(end(next_halfedge(twin)), end(h));
-    ASSERT_EQ(mesh.component[idx(face_of(h))], mesh.component[idx(face_of(twin))]);
+    ASSERT_EQ(mesh.component[at(face_of(h))], mesh.component[at(face_of(twin))]);
   }
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (mesh.twins[idx(h)] < 0) {
+    if (mesh.twins[at(h)] < 0) {
       ASSERT_EQ(sides.count({end(next_halfedge(h)), end(h)}), 0u) << "an edge that is not linked";
     }
 }
@@ -107,17 +103,17 @@ void expect_linked(const BandMesh& mesh) {
 void expect_one_fan_a_vertex(const BandMesh& mesh) {
   std::vector<int> corners_of(mesh.points.size(), 0), any(mesh.points.size(), -1);
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int v = mesh.faces[idx(face_of(h))][idx(h % 3)];
-    ++corners_of[idx(v)];
-    any[idx(v)] = h;
+    const int v = mesh.faces[at(face_of(h))][at(h % 3)];
+    ++corners_of[at(v)];
+    any[at(v)] = h;
   }
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     ASSERT_GT(corners_of[v], 0) << "a vertex without a face";
     int met = 1;
     int h = any[v];
-    for (h = mesh.twins[idx(previous_halfedge(h))]; h >= 0 && h != any[v]; h = mesh.twins[idx(previous_halfedge(h))]) ++met;
+    for (h = mesh.twins[at(previous_halfedge(h))]; h >= 0 && h != any[v]; h = mesh.twins[at(previous_halfedge(h))]) ++met;
     if (h < 0)
-      for (h = mesh.twins[idx(any[v])]; h >= 0; h = mesh.twins[idx(next_halfedge(h))]) ++met;
+      for (h = mesh.twins[at(any[v])]; h >= 0; h = mesh.twins[at(next_halfedge(h))]) ++met;
     ASSERT_EQ(met, corners_of[v]);
   }
 }
@@ -127,11 +123,11 @@ void expect_shaped(const BandMesh& mesh, const Ink& ink, const ScaleMask* mask, 
     ASSERT_GT(area(mesh, f), 0);
     const Vec2 b = mesh.barycentre(f);
     const double factor = factor_at(mask, b);
-    ASSERT_DOUBLE_EQ(static_cast<double>(mesh.scale[idx(f)]), factor);
+    ASSERT_DOUBLE_EQ(static_cast<double>(mesh.scale[at(f)]), factor);
     ASSERT_LE(circumdiameter(mesh, f), options.mesh_size * ink.stroke_width * factor * (1 + 1e-9));
-    ASSERT_EQ(mesh.on_ink[idx(f)] != 0, nearest_inside(ink.mask, b) != 0);
-    if (mesh.on_ink[idx(f)]) {
-      ASSERT_TRUE(mesh.in_stroke[idx(f)]);
+    ASSERT_EQ(mesh.on_ink[at(f)] != 0, nearest_inside(ink.mask, b) != 0);
+    if (mesh.on_ink[at(f)]) {
+      ASSERT_TRUE(mesh.in_stroke[at(f)]);
     }
   }
   const auto grown = covers(mesh, ink.width(), 1e-9), shrunk = covers(mesh, ink.width(), -1e-9);
@@ -230,7 +226,7 @@ TEST(BandMesh, HolesAndComponents) {
     const BandMesh mesh = build_band(ink, nullptr, {});
     EXPECT_EQ(mesh.components, c.components) << c.name;
     EXPECT_EQ(holes(mesh), c.holes) << c.name;
-    EXPECT_EQ(std::set<int>(mesh.component.begin(), mesh.component.end()).size(), idx(c.components)) << c.name;
+    EXPECT_EQ(std::set<int>(mesh.component.begin(), mesh.component.end()).size(), at(c.components)) << c.name;
   }
 }
 
@@ -270,9 +266,9 @@ TEST(BandMesh, PaperBetweenCloseStrokesIsInStroke) {
   int between = 0, beside = 0;
   for (int f = 0; f < mesh.face_count(); ++f) {
     const Vec2 b = mesh.barycentre(f);
-    if (b.x < 40 || b.x > 160 || mesh.on_ink[idx(f)]) continue;
+    if (b.x < 40 || b.x > 160 || mesh.on_ink[at(f)]) continue;
     const bool slit = b.y > 74 && b.y < 80;
-    EXPECT_EQ(mesh.in_stroke[idx(f)] != 0, slit) << b.x << ' ' << b.y;
+    EXPECT_EQ(mesh.in_stroke[at(f)] != 0, slit) << b.x << ' ' << b.y;
     ++(slit ? between : beside);
   }
   EXPECT_GT(between, 100);
@@ -287,8 +283,8 @@ TEST(BandMesh, BoundaryVerticesAreThoseOfOpenEdges) {
   std::vector<std::size_t> faces(mesh.points.size(), 0);
   for (const auto& t : mesh.faces)
     for (std::size_t k = 0; k < 3; ++k) {
-      ++faces[idx(t[k])];
-      neighbours[idx(t[k])].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
+      ++faces[at(t[k])];
+      neighbours[at(t[k])].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
     }
   const auto boundary = boundary_vertices(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) ASSERT_EQ(boundary[v] != 0, neighbours[v].size() == faces[v] + 1);

@@ -14,11 +14,11 @@ TEST(ExactMap, keeps_transitions_exactly_and_regular_vertices_off_the_grid) {
     const ExactMap exact = round_map(map);
     expect_transitions_hold(m.mesh, exact);
     for (int c = 0; c < static_cast<int>(exact.uv.size()); ++c) {
-      const IVec2 uv = exact.uv[idx(c)];
+      const IVec2 uv = exact.uv[at(c)];
       const Vec2 real = map.uv(c);
       EXPECT_NEAR(static_cast<double>(uv.x) / kFixedOne, real.x, 2.0 / kFixedOne);
       EXPECT_NEAR(static_cast<double>(uv.y) / kFixedOne, real.y, 2.0 / kFixedOne);
-      if (map.corner_base[idx(c)] == 0) {
+      if (map.corner_base[at(c)] == 0) {
         EXPECT_EQ(uv.x % (kFixedOne / 2), 0);
         EXPECT_EQ(uv.y % (kFixedOne / 2), 0);
       } else {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/at.h"
 #include "drawn_bands.h"
 #include "field/field_system.h"
 
@@ -16,10 +17,6 @@ using Complex = std::complex<double>;
 using testing::drawn_ink;
 
 using Lines = std::vector<std::vector<Vec2>>;
-
-std::size_t idx(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 const Lines kCrossing{testing::circle({80, 80}, 50), {{20, 30}, {150, 120}}, {{90, 10}, {70, 150}}};
 
@@ -33,14 +30,14 @@ ScaleMask halves(int size) {
 
 std::vector<ComplexPair> random_pairs(std::mt19937& random, int size) {
   std::normal_distribution<double> normal;
-  std::vector<ComplexPair> x(idx(size));
+  std::vector<ComplexPair> x(at(size));
   for (auto& pair : x) pair = {{normal(random), normal(random)}, {normal(random), normal(random)}};
   return x;
 }
 
 std::vector<ComplexPair> at_vertices(const FieldSpace& space, const std::vector<ComplexPair>& x) {
   std::vector<ComplexPair> y;
-  for (const auto& [a, b] : space.nodes) y.push_back({0.5 * (x[idx(a)].p + x[idx(b)].p), 0.5 * (x[idx(a)].q + x[idx(b)].q)});
+  for (const auto& [a, b] : space.nodes) y.push_back({0.5 * (x[at(a)].p + x[at(b)].p), 0.5 * (x[at(a)].q + x[at(b)].q)});
   return y;
 }
 
@@ -69,12 +66,12 @@ TEST(CoarseSpace, ReproducesPositions) {
     for (std::size_t v = 0; v < space.nodes.size(); ++v)
       if (space.nodes[v][0] == space.nodes[v][1]) place[space.nodes[v][0]] = mesh.points[v];
     const std::size_t own = place.size();
-    EXPECT_GT(own, idx(space.size) / 2);
+    EXPECT_GT(own, at(space.size) / 2);
     // A node that is no vertex lies opposite to the other one of each vertex between them.
     for (int pass = 0; pass < 2; ++pass)
       for (std::size_t v = 0; v < space.nodes.size(); ++v)
         for (const auto& [from, to] : {std::pair{0, 1}, {1, 0}}) {
-          const int known = space.nodes[v][idx(from)], other = space.nodes[v][idx(to)];
+          const int known = space.nodes[v][at(from)], other = space.nodes[v][at(to)];
           if (place.contains(known) && !place.contains(other)) place[other] = 2 * mesh.points[v] - place[known];
         }
     EXPECT_GT(place.size(), own);
@@ -94,18 +91,18 @@ TEST(CoarseSpace, PartsThatTheBandDoesNotConnectShareNoNode) {
       build_band(drawn_ink(Lines{{{20, 60}, {140, 70}}, {{20, 60 + apart}, {140, 70 + apart}}}, width, 160), nullptr, {});
   ASSERT_EQ(mesh.components, 2);
   const FieldSpace space = coarse_space(mesh);
-  std::vector<int> owner(idx(space.size), -1);
+  std::vector<int> owner(at(space.size), -1);
   double gap = 1e9;
   for (int f = 0; f < mesh.face_count(); ++f)
-    for (const int v : mesh.faces[idx(f)]) {
-      for (const int node : space.nodes[idx(v)]) {
-        int& component = owner[idx(node)];
-        ASSERT_TRUE(component < 0 || component == mesh.component[idx(f)]);
-        component = mesh.component[idx(f)];
+    for (const int v : mesh.faces[at(f)]) {
+      for (const int node : space.nodes[at(v)]) {
+        int& component = owner[at(node)];
+        ASSERT_TRUE(component < 0 || component == mesh.component[at(f)]);
+        component = mesh.component[at(f)];
       }
-      if (mesh.component[idx(f)] == 0)
+      if (mesh.component[at(f)] == 0)
         for (int g = 0; g < mesh.face_count(); ++g)
-          if (mesh.component[idx(g)] == 1) gap = std::min(gap, norm(mesh.barycentre(g) - mesh.points[idx(v)]));
+          if (mesh.component[at(g)] == 1) gap = std::min(gap, norm(mesh.barycentre(g) - mesh.points[at(v)]));
     }
   EXPECT_LT(gap, 0.5 * width) << "the test's drawing";
 }

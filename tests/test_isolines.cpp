@@ -67,8 +67,8 @@ TEST(Isolines, ports_point_along_the_axes_of_the_chart) {
   int checked = 0;
   const IsolineGraph graph = traced(m);
   for (const GraphEdge& e : graph.edges) {
-    if (e.from_port >= 0) checked += dot(unit(e.path[1] - e.path[0]), axis[idx(e.from_port)]) > 0.999;
-    if (e.to_port >= 0) checked += dot(unit(e.path[e.path.size() - 2] - e.path.back()), axis[idx(e.to_port)]) > 0.999;
+    if (e.from_port >= 0) checked += dot(unit(e.path[1] - e.path[0]), axis[at(e.from_port)]) > 0.999;
+    if (e.to_port >= 0) checked += dot(unit(e.path[e.path.size() - 2] - e.path.back()), axis[at(e.to_port)]) > 0.999;
   }
   EXPECT_EQ(checked, 4 * 16);
 }
@@ -128,9 +128,9 @@ TEST(Isolines, singular_vertex_on_a_grid_point_has_a_ray_a_quadrant) {
       EXPECT_EQ(count(graph, NodeKind::boundary), 5 * n);
       EXPECT_EQ(static_cast<int>(graph.edges.size()), (4 * 6 * n + n + 5 * n) / 2);
       for (int i = 0; i < static_cast<int>(graph.nodes.size()); ++i) {
-        if (graph.nodes[idx(i)].kind != NodeKind::singular) continue;
-        EXPECT_EQ(edge_ends(graph)[idx(i)], n);
-        EXPECT_EQ(graph.nodes[idx(i)].position, m.mesh.points[0]);
+        if (graph.nodes[at(i)].kind != NodeKind::singular) continue;
+        EXPECT_EQ(edge_ends(graph)[at(i)], n);
+        EXPECT_EQ(graph.nodes[at(i)].position, m.mesh.points[0]);
       }
     }
   }
@@ -172,9 +172,9 @@ TEST(Isolines, flagged_vertices_next_to_each_other_share_their_isoline) {
       std::mt19937 random(seed);
       int on_grid_points = 0, on_isolines = 0;
       for (int v = 0; v < m.mesh.vertex_count(); ++v) {
-        const Vec2 p = m.mesh.points[idx(v)];
+        const Vec2 p = m.mesh.points[at(v)];
         if (p.x == 0 || p.y == 0 || p.x == 8 * step || p.y == 8 * step || random() % 2) continue;
-        m.map.half_integer[idx(v)] = 1;
+        m.map.half_integer[at(v)] = 1;
         const bool u_whole = std::fmod(p.x + 0.5, 1) == 0, v_whole = std::fmod(p.y, 1) == 0;
         on_grid_points += u_whole && v_whole;
         on_isolines += u_whole != v_whole;
@@ -264,8 +264,8 @@ TEST(Isolines, folded_cones_stay_consistent) {
     const std::vector<int> ends = edge_ends(graph);
     for (int i = 0; i < static_cast<int>(graph.nodes.size()); ++i) {
       // A quarter turn maps the rays' directions onto the next ones: their number is odd around an odd cone, folded or not.
-      if (graph.nodes[idx(i)].kind == NodeKind::singular) {
-        EXPECT_EQ(ends[idx(i)] % 2, 1);
+      if (graph.nodes[at(i)].kind == NodeKind::singular) {
+        EXPECT_EQ(ends[at(i)] % 2, 1);
       }
     }
   }

@@ -47,9 +47,8 @@ long count_colour(const Picture& picture, std::uint32_t rgb) {
   return std::count(picture.rgb.begin(), picture.rgb.end(), rgb);
 }
 
-// Two triangles, 24 x 16 px, under a horizontal stroke; everything the pictures read is set by hand.
-Stages square_stages(const Image& image) {
-  Stages stages;
+// A horizontal stroke, and the same slimmed, with a slit.
+void set_ink(Stages& stages, const Image& image) {
   stages.ink.mask = Raster<std::uint8_t>(image.width, image.height);
   stages.ink.rise = Raster<float>(image.width, image.height);
   for (int x = 8; x < 32; ++x)
@@ -66,6 +65,10 @@ Stages square_stages(const Image& image) {
     stages.slim.mask(x, 21) = stages.bundles.slits(x, 21) = x >= 24 && x < 32;
     stages.bundles.slits(x, 23) = 1;
   }
+}
+
+// Two triangles around it, 24 x 16 px.
+void set_mesh(Stages& stages) {
   stages.mesh.points = {{8, 12}, {32, 12}, {32, 28}, {8, 28}};
   stages.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   stages.mesh.twins = {-1, -1, 3, 2, -1, -1};
@@ -79,6 +82,9 @@ Stages square_stages(const Image& image) {
   stages.charts.cut = {0, 0, 1, 1, 0, 0};
   stages.charts.singular = {0, 0, 1, 0};
   stages.labels = {Label::along_s, Label::along_t};
+}
+
+void set_curves(Stages& stages) {
   stages.graph.nodes = {{{16, 20}, NodeKind::grid, 1}, {{32, 20}, NodeKind::boundary, 0}};
   GraphEdge edge;
   edge.from = 0;
@@ -96,6 +102,14 @@ Stages square_stages(const Image& image) {
   curve.end_junction = 0;
   stages.drawing.curves = {curve};
   stages.drawing.junctions = {{32, 20}};
+}
+
+// Everything the pictures read is set by hand.
+Stages square_stages(const Image& image) {
+  Stages stages;
+  set_ink(stages, image);
+  set_mesh(stages);
+  set_curves(stages);
   return stages;
 }
 
