@@ -49,7 +49,9 @@ std::string choice_text(const Report& report) {
 }
 
 std::string run_description(const Options& options, const Report& report) {
-  const std::string given = command_line_text(options);
+  Options telling = options;
+  telling.threads = Options{}.threads;  // the result is the same for any number of them
+  const std::string given = command_line_text(telling);
   const std::string chosen = report.preset.empty() ? "" : " (" + choice_text(report) + ")";
   return std::string("inkgrid ") + version() + (given.empty() ? "" : " " + given) + chosen;
 }
