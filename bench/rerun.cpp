@@ -2,10 +2,10 @@
 // Source: section 7, "User control", calls local changes future work.
 // Cost:   some runs of the method for each drawing.
 //
-//   bench_rerun [--scribbles N] [--seed S] DRAWING...
+//   bench_rerun [--scribbles N] [--seed S] [--threads N] DRAWING...
 //
-// Processor seconds of one thread.  Each scribble is drawn on ink, alone, on the drawing as it was without; "local" are those
-// that were solved with their surroundings kept.
+// Processor seconds of one thread; with more threads, seconds of the clock.  Each scribble is drawn on ink, alone, on the drawing
+// as it was without; "local" are those that were solved with their surroundings kept.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +19,8 @@
 #include <string>
 
 #include "images/image_io.h"
+#include "options.h"
+#include "pipeline.h"
 #include "scribbles/parts.h"
 #include "scribbles/scribbles.h"
 
@@ -28,9 +30,11 @@ namespace {
 constexpr double kRadius = 10, kStep = 8;  // px
 constexpr int kSteps = 12;
 
+clockid_t used_clock = CLOCK_THREAD_CPUTIME_ID;
+
 double seconds() {
   timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  clock_gettime(used_clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -113,10 +117,11 @@ void measure_options(const Image& image, const Options& options, const Stages& p
   }
 }
 
-void measure(const char* path, int scribbles, unsigned seed) {
+void measure(const char* path, int scribbles, unsigned seed, int threads) {
   const Image image = read(path);
   Options options;
-  options.threads = 1;
+  options.threads = threads;
+  if (threads != 1) used_clock = CLOCK_MONOTONIC;
   Stages plain;
   const double full = timed([&] { plain = run_stages(image, options, {}); });
   std::printf("%s: %d x %d px, %d curves\n  %-18s %8.3f s\n", path, image.width, image.height, plain.report.curves,
@@ -129,17 +134,19 @@ void measure(const char* path, int scribbles, unsigned seed) {
 }  // namespace inkgrid
 
 int main(int argc, char** argv) {
-  int scribbles = 20;
+  int scribbles = 20, threads = 1;
   unsigned seed = 1;
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string word = argv[i];
       if (word == "--scribbles" && i + 1 < argc)
         scribbles = std::max(1, std::atoi(argv[++i]));
+      else if (word == "--threads" && i + 1 < argc)
+        threads = std::atoi(argv[++i]);
       else if (word == "--seed" && i + 1 < argc)
         seed = static_cast<unsigned>(std::atoi(argv[++i]));
       else
-        inkgrid::measure(argv[i], scribbles, seed);
+        inkgrid::measure(argv[i], scribbles, seed, threads);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_rerun: %s\n", error.what());

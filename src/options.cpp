@@ -6,7 +6,6 @@
 
 #include "base/decimal.h"
 #include "base/overloaded.h"
-#include "ink/slim.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -164,7 +163,7 @@ Stage first_stage_changed(const Options& before, const Options& after) {
   Stage first = Stage::none;
   for (const OptionRow& row : kTable)
     if (!std::visit([&](auto Options::*m) { return before.*m == after.*m; }, row.member)) first = std::min(first, row.stage);
-  return same_slimming(before.spacing.value_or(1), after.spacing.value_or(1)) ? first : std::min(first, Stage::band);
+  return first;
 }
 
 bool is_default(const Options& options, const OptionRow& row) {

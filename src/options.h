@@ -51,8 +51,8 @@ void set_option(Options& options, const OptionRow& row, std::string_view text);
 // The shortest text that set_option reads back as the same value.
 std::string option_text(const Options& options, const OptionRow& row);
 
-// The first stage whose options differ (a spacing that slims strokes otherwise changes the band); Stage::none where the result is
-// the same.  `auto` differs from every number here: what the drawing decides is known to rerun_stages only.
+// The first stage whose options differ; Stage::none where the result is the same.  `auto` differs from every number here, and a
+// spacing that slims strokes otherwise counts as any other: what the drawing decides is known to rerun_stages only.
 Stage first_stage_changed(const Options& before, const Options& after);
 
 bool is_default(const Options& options, const OptionRow& row);

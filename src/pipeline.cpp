@@ -71,12 +71,19 @@ void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
     settled.bundles = settled.preset == Preset::rough && !told ? BundleMode::join : BundleMode::keep;
 }
 
-Stage first_stage_changed(const Inputs& before, const Inputs& now) {
-  if (!same_ink(before, now)) return Stage::ink;
-  Options known = before.settled;
+// Whether the grid is to work on the same ink with another spacing.
+bool same_ground(const Stages& before, double spacing) {
+  return same_slimming(*before.inputs.settled.spacing, spacing) ||
+         (before.slim.mask.data.empty() && !is_slimmed(before.ink, spacing));
+}
+
+Stage first_stage_changed(const Stages& before, const Inputs& now) {
+  if (!same_ink(before.inputs, now)) return Stage::ink;
+  Options known = before.inputs.settled;
   known.preset = now.settled.preset;  // it has done its work
-  const Stage changed = first_stage_changed(known, now.settled);
-  return same_mask(before.mask, now.mask) ? changed : std::min(changed, Stage::scribbles);
+  Stage changed = first_stage_changed(known, now.settled);
+  if (changed > Stage::band && !same_ground(before, *now.settled.spacing)) changed = Stage::band;
+  return same_mask(before.inputs.mask, now.mask) ? changed : std::min(changed, Stage::scribbles);
 }
 
 // What the stages before `first` made.
@@ -351,7 +358,7 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
   const Ink& ink = known ? stages.ink : made.ink;
   const bool blank = ink.pixels == 0;
   if (!blank) settle(made.inputs, stages.inputs, ink);
-  const Stage first = blank && known ? Stage::none : first_stage_changed(stages.inputs, made.inputs);
+  const Stage first = blank && known ? Stage::none : first_stage_changed(stages, made.inputs);
   const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
   move_kept(first, stages, made);
   if (Stage::charts < first && first <= Stage::map) made.map.plans = stages.map.plans;

@@ -212,6 +212,22 @@ std::set<std::string> stages_run(const Stages& stages) {
   return names;
 }
 
+TEST(Rerun, KeepsTheBandWhereNoSpacingSlimsStrokes) {
+  const Image image = drawing();
+  const Options wide = with("spacing", "0.8"), close = with("spacing", "0.7"), slim = with("spacing", "0.6");
+  Stages stages = run_stages(image, close, {});
+  rerun_stages(stages, image, wide, {});
+  EXPECT_FALSE(stages_run(stages).contains("band"));
+  expect_same(stages, run_stages(image, wide, {}));
+  rerun_stages(stages, image, close, {});
+  EXPECT_FALSE(stages_run(stages).contains("band"));
+  rerun_stages(stages, image, slim, {});
+  EXPECT_TRUE(stages_run(stages).contains("band"));
+  rerun_stages(stages, image, close, {});
+  EXPECT_TRUE(stages_run(stages).contains("band"));
+  expect_same(stages, run_stages(image, close, {}));
+}
+
 TEST(Rerun, RunsOnlyWhatComesAfterTheChange) {
   const Image image = drawing();
   Stages stages = run_stages(image, usual(), {});
