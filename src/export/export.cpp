@@ -145,7 +145,7 @@ std::span<const ExportOptionRow> export_option_table() {
 }
 
 std::string accepted_values(const ExportOptionRow& row) {
-  const std::string range = "a number from " + shortest(row.least) + " to " + shortest(row.most);
+  std::string range = "a number from " + shortest(row.least) + " to " + shortest(row.most);
   return std::visit(Overloaded{[&](double ExportOptions::*) { return range; },
                                [&](std::optional<double> ExportOptions::*) { return range + " or " + std::string(row.unset); },
                                [](auto choice) { return listed(names_of((ExportOptions{}).*choice)); }},

@@ -370,9 +370,9 @@ void join_segments(SmoothSpline& spline, Feet& feet, int joint) {
 }
 
 void rotate_seam(SmoothSpline& spline, Feet& feet, int joints) {
-  std::ranges::rotate(spline.joints, spline.joints.begin() + joints);
-  std::ranges::rotate(spline.angles, spline.angles.begin() + joints);
-  std::ranges::rotate(spline.handles, spline.handles.begin() + joints);
+  std::rotate(spline.joints.begin(), spline.joints.begin() + joints, spline.joints.end());
+  std::rotate(spline.angles.begin(), spline.angles.begin() + joints, spline.angles.end());
+  std::rotate(spline.handles.begin(), spline.handles.begin() + joints, spline.handles.end());
   for (double& foot : feet) foot += foot >= joints ? -joints : spline.segments() - joints;
 }
 

@@ -262,7 +262,7 @@ void unfold(Chain& chain, bool at_start, double width) {
 
 }  // namespace
 
-Chains straightened_ends(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double longest) {
+Chains straightened_ends(const std::vector<RidgeChain>& ridges, std::vector<Vec2> junctions, double longest) {
   Chains chains{std::move(junctions), {}};
   for (const auto& ridge : ridges) {
     const bool loose = is_free(ridge.chain, true) && is_free(ridge.chain, false);

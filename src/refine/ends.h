@@ -20,7 +20,7 @@ struct EndOptions {
 
 // The chains, of which free ends that the ink does not confirm, up to `longest` px, are cut off, and what
 // is bent by them straight; short ones of which the ink confirms nothing are dropped.
-Chains straightened_ends(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, double longest);
+Chains straightened_ends(const std::vector<RidgeChain>& ridges, std::vector<Vec2> junctions, double longest);
 
 // Free ends that face each other within `reach` over ink are joined half way; those that passed each other are cut back first.
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options);

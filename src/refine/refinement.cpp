@@ -106,7 +106,7 @@ class Refinement {
     Blots blots = meet_in_blots(follow_ridges(chains.chains, ink_, ridge_), chains.junctions, ink_, drawn_,
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
-    chains = straightened_ends(std::move(arms.ridges), std::move(arms.junctions), blot_.trimmed);
+    chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
     chains = follow_strokes(std::move(chains), ink_, bridge_, 2 * width_);
     chains = drop_blot_loops(attach_ends(std::move(chains), ink_, ends_), ink_);
     chains = drop_spurs(drop_doubles(std::move(chains), resolution_.cell), resolution_.spur);
