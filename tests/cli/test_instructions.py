@@ -31,7 +31,7 @@ CLEAN = {
     'drop_doubles': 4.1,
     'join_crossings': 2.8,
     'join_arms': 1.5,
-    'mark_leftovers': 11,
+    'mark_leftovers': 2.8,
     'fit_outlines': 16,
     'fit_curves': 73,
     'PROGRAM TOTALS': 935,
