@@ -10,6 +10,7 @@
 #include "ink/preset.h"
 #include "options.h"
 #include "refine/ends.h"
+#include "refine/flanking.h"
 #include "refine/leftovers.h"
 #include "refine/refinement.h"
 #include "run_report.h"
@@ -167,7 +168,10 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
                           options.coverage_bins, options.threads});
   });
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
-  return mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
+  chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
+  if (options.bundles != BundleMode::join) return chains;
+  return join_flanking(std::move(chains),
+                       {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width, stages.bundles.sketchiness});
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
@@ -244,6 +248,10 @@ ScaleMask product(ScaleMask a, const ScaleMask& b) {
   return a;
 }
 
+bool asks_for_detail(const ScaleMask& mask) {
+  return std::any_of(mask.factor.begin(), mask.factor.end(), [](float factor) { return factor < 1; });
+}
+
 // As many rounds of re-weighting as around the window, so that the fields agree where they meet.
 Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMask& mask, const TouchedPart& part, double margin,
                     const Control& control) {
@@ -252,7 +260,9 @@ Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMa
   stages.ink = window_of(around.ink, part);
   if (const Ink& grid = ground ? ground->ink : grid_ink(around); &grid != &around.ink) stages.slim = window_of(grid, part);
   stages.bundles.count = around.bundles.count;
+  stages.bundles.sketchiness = around.bundles.sketchiness;
   stages.inputs.settled = around.inputs.settled;
+  if (asks_for_detail(mask)) stages.inputs.settled.bundles = BundleMode::keep;
   stages.inputs.settled.field_rounds = around.field.rounds;
   stages.inputs.settled.degenerate_fraction = 0;
   const ScaleMask scale = ground ? product(mask, window_of(ground->scale, part)) : mask;

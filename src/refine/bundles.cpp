@@ -92,13 +92,21 @@ double sketchiness(const std::vector<Flank>& flanks, const std::vector<Chain>& c
   return length > 0 ? bundled / length : 0;
 }
 
+bool are_one_line(const Flank& flank, double sketchiness, double stroke_width) {
+  return one_line(flank, sketchiness, stroke_width) >= kLikely;
+}
+
+FlankOptions flank_options(double stroke_width) {
+  return {kFarthest * stroke_width, stroke_width};
+}
+
 Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink) {
   const double width = ink.stroke_width;
-  const auto flanks = find_flanks(chains, ink.width(), ink.height(), {kFarthest * width, width});
-  const double sketchy = sketchiness(flanks, chains, width);
+  const auto flanks = find_flanks(chains, ink.width(), ink.height(), flank_options(width));
   Bundles bundles;
+  bundles.sketchiness = sketchiness(flanks, chains, width);
   for (const Flank& flank : flanks) {
-    if (one_line(flank, sketchy, width) < kLikely) continue;
+    if (!are_one_line(flank, bundles.sketchiness, width)) continue;
     if (bundles.count++ == 0) bundles.slits = Raster<std::uint8_t>(ink.width(), ink.height());
     fill_between(bundles.slits, flank);
   }

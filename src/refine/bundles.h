@@ -16,9 +16,16 @@ double one_line(const Flank& flank, double sketchiness, double stroke_width);
 // Expected share of the length of chains with neighbours that was drawn along a neighbour for the same line.
 double sketchiness(const std::vector<Flank>& flanks, const std::vector<Chain>& chains, double stroke_width);
 
+// Whether they were.
+bool are_one_line(const Flank& flank, double sketchiness, double stroke_width);
+
+// Where chains can be those of one line.
+FlankOptions flank_options(double stroke_width);
+
 struct Bundles {
   Raster<std::uint8_t> slits;  // 1: between two strokes of one line; empty where there is none
   int count = 0;               // flanks that are one line
+  double sketchiness = 0;      // of the drawing
 };
 
 Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink);

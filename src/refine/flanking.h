@@ -1,0 +1,23 @@
+// What:   chains that the grid left side by side, though they were drawn for one line, become one.
+// Source: ours; in the paper the user's scribbles say where the grid is to be coarser (section 7).
+// Differs: docs/METHOD.md, "Flanking chains".
+// Cost:   linear in the length of the chains times the widest gap.
+#pragma once
+
+#include "graph/chains.h"
+
+namespace inkgrid {
+
+struct FlankingOptions {
+  int width = 0;            // px, of the drawing
+  int height = 0;           // px
+  double stroke_width = 0;  // px
+  double sketchiness = 0;   // of the drawing, 0..1
+};
+
+// A chain with a free end that runs beside another and is likely to have been drawn for the same line (one_line) is dropped where
+// it does so all along; where the other ends beside it as well, both go on into each other; else it runs into the other from
+// where the two are side by side.  What stays runs through the middle.
+Chains join_flanking(Chains chains, const FlankingOptions& options);
+
+}  // namespace inkgrid
