@@ -121,6 +121,19 @@ TEST(Flanking, ASpurBesideItsOwnLineGoes) {
   EXPECT_EQ(joined(before, kNeat).chains.size(), 3u);
 }
 
+TEST(Flanking, WhatSticksOutOfAWideBundleGoesWhereLinesAreDrawnOver) {
+  const auto bundle = [](double width, double tail) {
+    Chains chains{{{180, 100}}, {line({20, 100}, {180, 100}, -1, 0), line({180, 100}, {340, 100}, 0, -1)}};
+    for (Chain& chain : chains.chains) chain.width = width;
+    chains.chains.push_back(line({180, 100}, {180, 100 + tail}, 0, -1));
+    return chains;
+  };
+  EXPECT_EQ(joined(bundle(4 * kStroke, 28)).chains.size(), 1u);
+  EXPECT_EQ(joined(bundle(4 * kStroke, 36)).chains.size(), 3u) << "a branch";
+  EXPECT_EQ(joined(bundle(2 * kStroke, 14)).chains.size(), 3u) << "no bundle";
+  EXPECT_EQ(joined(bundle(4 * kStroke, 28), 0.2).chains.size(), 3u);
+}
+
 TEST(Flanking, LinesThatCrossOrEndTogetherStay) {
   EXPECT_EQ(joined({{}, {line({20, 100}, {320, 100}), line({150, 20}, {150, 300})}}).chains.size(), 2u);
   EXPECT_EQ(joined({{}, {line({20, 100}, {320, 100}), line({20, 116}, {320, 116})}}).chains.size(), 2u);

@@ -18,6 +18,9 @@ constexpr double kRamp = 2;        // gaps: over which a line moves to the middl
 constexpr double kEntry = 3;       // gaps: over which a chain goes over into another
 constexpr double kFacing = 2;      // strokes
 constexpr int kSweeps = 3;
+constexpr double kOverdrawn = 1.0 / 3;  // sketchiness
+constexpr double kBundle = 2.5;         // strokes
+constexpr double kTail = 2;             // widths of the bundle
 
 double smooth(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -262,6 +265,27 @@ class Sweep {
   std::vector<std::uint8_t> gone_;
 };
 
+// What sticks out of a wide bundle, as strokes do that were drawn past each other.
+Chains drop_tails(Chains chains, double stroke_width) {
+  std::vector<int> degree(chains.junctions.size());
+  std::vector<double> widest(chains.junctions.size());
+  for (const Chain& chain : chains.chains)
+    for (const int j : {chain.start_junction, chain.end_junction})
+      if (j >= 0) {
+        ++degree[static_cast<std::size_t>(j)];
+        widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], chain.width);
+      }
+  std::erase_if(chains.chains, [&](const Chain& chain) {
+    if (chain.closed || (chain.start_junction < 0) == (chain.end_junction < 0)) return false;
+    const auto j = static_cast<std::size_t>(std::max(chain.start_junction, chain.end_junction));
+    if (degree[j] < 3 || widest[j] < kBundle * stroke_width || lengths_along(chain.points).back() > kTail * widest[j])
+      return false;
+    --degree[j];
+    return true;
+  });
+  return dissolve_junctions(std::move(chains));
+}
+
 }  // namespace
 
 Chains join_flanking(Chains chains, const FlankingOptions& options) {
@@ -270,7 +294,7 @@ Chains join_flanking(Chains chains, const FlankingOptions& options) {
     if (!sweep.join()) break;
     chains = std::move(sweep).joined();
   }
-  return chains;
+  return options.sketchiness < kOverdrawn ? chains : drop_tails(std::move(chains), options.stroke_width);
 }
 
 }  // namespace inkgrid
