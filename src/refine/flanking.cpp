@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/polyline.h"
+#include "graph/dissolve.h"
 #include "refine/bundles.h"
 #include "refine/cuts.h"
-#include "refine/ends.h"
 
 namespace inkgrid {
 namespace {
