@@ -36,6 +36,17 @@ TEST(Preset, StrokesOfDifferentGreyAreRough) {
   EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
 }
 
+// As in a sketch of firm strokes, a few of which were tried lightly before.
+TEST(Preset, AFewPaleStrokesUnderBlackOnesAreRough) {
+  Image image = blank(400, 200);
+  for (const double y : {30.0, 65.0, 100.0, 135.0, 170.0}) {
+    paint(image, {{20, y}, {90, y}}, 6, 90);
+    paint(image, {{60, y}, {380, y}}, 6);
+  }
+  EXPECT_LT(measure_sketchiness(ink_of(image)).pale, 0.2) << "what the test is about";
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+}
+
 // What is dark there and not black is rim: the tips of corners, and where strokes meet.
 TEST(Preset, FineStrokesWithCornersAreClean) {
   for (const double pen : {1.5, 2.0, 3.0}) {

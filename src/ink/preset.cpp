@@ -8,10 +8,11 @@ namespace inkgrid {
 namespace {
 
 constexpr double kSpreadOpacity = 0.065;  // where much is pale
-constexpr double kSpreadCentres = 0.11;   // anyway
+constexpr double kSpreadCentres = 0.08;   // where enough of the ink is no rim
 constexpr float kFullyDark = 0.97F;
 constexpr double kMuchPale = 0.25;
-constexpr double kEnoughInside = 0.15;
+constexpr double kSomeInside = 0.15;
+constexpr double kEnoughInside = 0.3;
 constexpr double kManySlits = 0.03;
 constexpr double kUnevenWidth = 0.5;
 constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
@@ -89,9 +90,10 @@ Sketchiness measure_sketchiness(const Ink& ink) {
 Preset choose_preset(Preset given, const Ink& ink) {
   if (given != Preset::automatic) return given;
   const Sketchiness s = measure_sketchiness(ink);
-  const bool unequal = s.centre_spread > kSpreadCentres || (s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale);
+  const bool pale = s.inside > kSomeInside && s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale;
+  const bool unequal = s.inside > kEnoughInside && s.centre_spread > kSpreadCentres;
   const bool overdrawn = s.slits > kManySlits && s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
-  return (unequal && s.inside > kEnoughInside) || overdrawn ? Preset::rough : Preset::clean;
+  return pale || unequal || overdrawn ? Preset::rough : Preset::clean;
 }
 
 PresetValues preset_values(Preset preset, double stroke_width) {
