@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
+constexpr double kSlit = 2;          // reaches, of the band from both sides: two strokes of one line leave no more between them
 
 // What a run leaves behind: all that its stages made, for pictures and for running again, or only what the next stages need.
 enum class Keep { stages, result };
@@ -163,9 +164,10 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   release(keep, stages.mesh, stages.charts, stages.labels, stages.graph);
   const double slim = slimness(stages);
   chains = run("refinement", 0.95, [&] {
-    return refine_on_ink(chains, grid_ink(stages), covered_ink(stages).mask,
-                         {stages.ink.stroke_width, *options.reach / slim, *options.spacing / slim, *options.gap,
-                          options.coverage_bins, options.threads});
+    const double reach = *options.reach / slim, slit = options.bundles == BundleMode::join ? kSlit * reach : 0;
+    return refine_on_ink(
+        chains, grid_ink(stages), covered_ink(stages).mask,
+        {stages.ink.stroke_width, reach, *options.spacing / slim, *options.gap, slit, options.coverage_bins, options.threads});
   });
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));

@@ -157,6 +157,20 @@ TEST(Ridge, WhereABundleWidensTheMiddleMovesGently) {
   EXPECT_LT(steepest, 0.35);
 }
 
+// The grid has taken two strokes for one line, and the chain has both their ink.
+TEST(Ridge, AcrossASlitTheMiddleOfBothIsTaken) {
+  Image image = blank(300, 100);
+  const double pitch = kWidth + 3;
+  for (const double y : {40.0, 40.0 + pitch}) paint(image, {{20, y}, {280, y}}, kWidth);
+  const std::vector<Chain> chains{chain_along({{22, 41}, {278, 41}}, kWidth)};
+  RidgeOptions options = kOptions;
+  options.bridge = 2.5;
+  const auto height = [&] { return follow_ridges(chains, ink_of(image), options)[0].chain.points[120].y; };
+  EXPECT_NEAR(height(), 40, 0.3) << "paper wider than the bridge ends a stroke";
+  options.slit = 2 * options.bridge;
+  EXPECT_NEAR(height(), 40 + pitch / 2, 0.3);
+}
+
 TEST(Ridge, ASmallLoopDoesNotShrink) {
   const Vec2 centre{60.3, 60.2};
   constexpr RidgeOptions smooth{0.9, 2.7, 0.75 * kWidth};

@@ -116,7 +116,9 @@ class Refinement {
 
   // Corners, junctions and ends where the pen was.
   Chains located(Chains chains) const {
-    auto ridges = open_corners(follow_ridges(chains.chains, ink_, ridge_), chains.junctions, ink_.mask,
+    RidgeOptions middle = ridge_;
+    middle.slit = options_.slit * width_;
+    auto ridges = open_corners(follow_ridges(chains.chains, ink_, middle), chains.junctions, ink_.mask,
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);

@@ -13,6 +13,7 @@ struct RefinementOptions {
   double reach = 0.3;     // of the band, strokes
   double spacing = 0.7;   // of the grid, strokes
   double gap = 1;         // of paper in a line, pens
+  double slit = 0;        // strokes: paper that may lie between two strokes of one line; 0: what the reach closes
   int coverage_bins = 4;  // of a chain
   int threads = 0;        // 0: as many as the machine has
 };

@@ -78,7 +78,7 @@ class SectionReader {
         side.extent = last;
         continue;
       }
-      if (t - last > options_.bridge || owner < 0) {
+      if (t - last > std::max(options_.bridge, options_.slit) || owner < 0) {
         side.paper = true;
         return side;
       }

@@ -38,7 +38,8 @@ CLEAN = {
 }
 # With bundles looked for: all but threshold, fills and ink runs twice.
 ROUGH = {
-    'find_flanks': 15.6,
+    'find_flanks': 31.4,  # of the first pass, and of the refined chains
+    'join_flanking': 16,
     'find_bundles': 15.8,
     'join_bundles': 18,
     'closed_ink': 30,
