@@ -98,7 +98,7 @@ TEST(Ends, TheLastStrokeOfABundleEndsHalfItsOwnWidthInside) {
     paint(image, {a, b}, 4);
     paint(image, {a, b - 30.0 * axis}, 12);
     const Chains reached = reach_ends({{}, {chain_along({a, b}, 12)}}, ink_of(image), kEnds);
-    EXPECT_LT(norm(reached.chains[0].points.back() - b), 1.2) << degrees;
+    EXPECT_LT(norm(reached.chains[0].points.back() - b), 1.05) << degrees;
   }
 }
 

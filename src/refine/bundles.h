@@ -13,11 +13,11 @@ namespace inkgrid {
 // is bundled, 0..1.
 double one_line(const Flank& flank, double sketchiness, double stroke_width);
 
+// Whether that is likely enough.
+bool are_one_line(const Flank& flank, double sketchiness, double stroke_width);
+
 // Expected share of the length of chains with neighbours that was drawn along a neighbour for the same line.
 double sketchiness(const std::vector<Flank>& flanks, const std::vector<Chain>& chains, double stroke_width);
-
-// Whether they were.
-bool are_one_line(const Flank& flank, double sketchiness, double stroke_width);
 
 // Where chains can be those of one line.
 FlankOptions flank_options(double stroke_width);

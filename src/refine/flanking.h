@@ -1,7 +1,7 @@
 // What:   chains that the grid left side by side, though they were drawn for one line, become one.
 // Source: ours; in the paper the user's scribbles say where the grid is to be coarser (section 7).
 // Differs: docs/METHOD.md, "Flanking chains".
-// Cost:   linear in the length of the chains times the widest gap.
+// Cost:   linear in the length of the chains times the widest gap; of chains that are joined, their length times that of the flank.
 #pragma once
 
 #include "graph/chains.h"
