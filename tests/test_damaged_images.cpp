@@ -49,12 +49,25 @@ TEST(DamagedImages, TrailingBytesDoNoHarm) {
 TEST(DamagedImages, OtherContentIsNoImage) {
   const std::string sentence = "'x.png' is not an image that inkgrid reads (PNG, JPEG, TIFF, WebP, BMP, PNM)";
   EXPECT_EQ(refusal("a letter to the editor"), sentence);
-  EXPECT_EQ(refusal("%PDF-1.5 ..."), sentence);
-  EXPECT_EQ(refusal("GIF89a........"), sentence);
   EXPECT_EQ(refusal(std::string(1000, '\0')), sentence);
   EXPECT_EQ(refusal(std::string("P")), sentence);
   EXPECT_EQ(refusal(""), "'x.png' is empty");
   EXPECT_EQ(refusal([] { decode_image(std::string_view(""), "-"); }), "standard input is empty");
+}
+
+TEST(DamagedImages, OtherFormatsAreCalledByTheirNames) {
+  const auto sentence = [](const std::string& what) {
+    return "'x.png' is " + what + ", which inkgrid does not read (PNG, JPEG, TIFF, WebP, BMP, PNM)";
+  };
+  const auto boxes = [](const std::string& brand) {
+    return std::string("\0\0\0\x18", 4) + "ftyp" + brand + std::string(60, '\0');
+  };
+  EXPECT_EQ(refusal("%PDF-1.5 ..."), sentence("a PDF"));
+  EXPECT_EQ(refusal("GIF89a........"), sentence("a GIF"));
+  EXPECT_EQ(refusal("8BPS........."), sentence("a Photoshop document"));
+  for (const char* brand : {"heic", "heix", "mif1"}) EXPECT_EQ(refusal(boxes(brand)), sentence("a HEIC photograph"));
+  EXPECT_EQ(refusal(boxes("avif")), sentence("an AVIF"));
+  EXPECT_EQ(refusal(boxes("isom")).find("HEIC"), std::string::npos) << "a film";
 }
 
 TEST(DamagedImages, HugeAndEmptySizesAreRefusedBeforeDecoding) {

@@ -156,6 +156,15 @@ TEST(Pipeline, BlankPaperGivesAWarning) {
   EXPECT_EQ(result.report.warnings.size(), 1u);
 }
 
+TEST(Pipeline, SmallSheetsOfOneToneGiveTheWarningToo) {
+  for (const int grey : {0, 128, 255})
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 30}, {30, 1}, {4, 5}}) {
+      const Result result = vectorize(blank(width, height, static_cast<std::uint8_t>(grey)));
+      EXPECT_EQ(result.report.warnings.size(), 1u) << grey << ": " << width << " x " << height;
+      EXPECT_EQ(result.report.fills, 0) << grey << ": " << width << " x " << height;
+    }
+}
+
 TEST(Pipeline, TheResultIsTheSameForAnyNumberOfThreads) {
   const Image image = painted(mixed());
   Options one, two;

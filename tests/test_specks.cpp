@@ -81,5 +81,13 @@ TEST(Specks, PaperOrInkAloneStays) {
   }
 }
 
+TEST(Specks, TheSheetOfATinyDrawingIsNone) {
+  for (const int side : {1, 2, 8}) {
+    Raster<std::uint8_t> ink(side, side);
+    for (int i = 2; i < side; ++i) ink(i, i) = 1;
+    EXPECT_EQ(close_specks(ink).data, ink.data) << side;
+  }
+}
+
 }  // namespace
 }  // namespace inkgrid

@@ -176,6 +176,17 @@ std::optional<ImageFormat> format_of(std::span<const char> span) {
   return std::nullopt;
 }
 
+const char* other_format(std::span<const char> span) {
+  const Bytes bytes(span);
+  constexpr std::size_t brand = 4;  // of what is made of boxes, ISO/IEC 14496-12
+  if (bytes.starts_with("GIF8")) return "a GIF";
+  if (bytes.starts_with("ftyphei", brand) || bytes.starts_with("ftypmif1", brand)) return "a HEIC photograph";
+  if (bytes.starts_with("ftypavif", brand)) return "an AVIF";
+  if (bytes.starts_with("%PDF")) return "a PDF";
+  if (bytes.starts_with("8BPS")) return "a Photoshop document";
+  return "";
+}
+
 ImageHeader header_of(ImageFormat format, std::span<const char> bytes) {
   ImageHeader header;
   try {

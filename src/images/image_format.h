@@ -14,6 +14,9 @@ enum class ImageFormat { png, jpeg, tiff, webp, bmp, pnm };
 // By the first bytes, whatever the name.
 std::optional<ImageFormat> format_of(std::span<const char> bytes);
 
+// What the bytes are where they are of another format, as "a GIF"; empty where that is not known either.
+const char* other_format(std::span<const char> bytes);
+
 struct ImageHeader {
   long width = 0;  // px; 0 where the file ends or breaks before it says so
   long height = 0;

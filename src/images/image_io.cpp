@@ -33,11 +33,16 @@ std::string quoted(const std::string& name) {
   return name == "-" ? "standard input" : "'" + name + "'";
 }
 
+std::string is_no_image(std::span<const char> bytes) {
+  const std::string what = other_format(bytes), read = "(PNG, JPEG, TIFF, WebP, BMP, PNM)";
+  return what.empty() ? " is not an image that inkgrid reads " + read : " is " + what + ", which inkgrid does not read " + read;
+}
+
 DecodedImage decode(std::span<const char> bytes, const std::string& name) {
   if (bytes.empty()) refuse(quoted(name) + " is empty");
   const std::string damaged = quoted(name) + " is truncated or damaged";
   const std::optional<ImageFormat> format = format_of(bytes);
-  if (!format) refuse(quoted(name) + " is not an image that inkgrid reads (PNG, JPEG, TIFF, WebP, BMP, PNM)");
+  if (!format) refuse(quoted(name) + is_no_image(bytes));
   const ImageHeader header = header_of(*format, bytes);
   if (*header.unread) refuse(quoted(name) + " is " + header.unread + ", which inkgrid does not read");
   if (header.width <= 0 || header.height <= 0) refuse(damaged);

@@ -79,7 +79,10 @@ Raster<std::uint8_t> close_specks(const Raster<std::uint8_t>& ink) {
   Raster<std::uint8_t> closed = ink;
   const std::vector<Speck> specks = specks_in(ink);
   if (specks.empty()) return closed;
+  const auto pixels = static_cast<std::ptrdiff_t>(ink.data.size()), paper = std::count(ink.data.begin(), ink.data.end(), 0);
   for (const Speck& speck : specks) paint(speck, 1, closed);
+  const bool none_left = std::find(closed.data.begin(), closed.data.end(), 0) == closed.data.end();
+  if (none_left && 2 * paper > pixels) return ink;  // the sheet of a drawing so small that it has no more
   const Raster<float> depth = depth_of(closed);
   for (const Speck& speck : specks)
     if (greatest(depth, speck) <= kDepthOfInk * std::sqrt(static_cast<float>(speck.size))) paint(speck, 0, closed);
