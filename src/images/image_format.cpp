@@ -163,8 +163,8 @@ void walk_pnm(const Bytes& bytes, ImageHeader& header) {
 
 }  // namespace
 
-std::optional<ImageFormat> format_of(std::span<const char> span) {
-  const Bytes bytes(span);
+std::optional<ImageFormat> format_of(std::span<const char> file) {
+  const Bytes bytes(file);
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::png;
   if (bytes.starts_with("\xff\xd8\xff")) return ImageFormat::jpeg;
   if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
@@ -176,8 +176,8 @@ std::optional<ImageFormat> format_of(std::span<const char> span) {
   return std::nullopt;
 }
 
-const char* other_format(std::span<const char> span) {
-  const Bytes bytes(span);
+const char* other_format(std::span<const char> file) {
+  const Bytes bytes(file);
   constexpr std::size_t brand = 4;  // of what is made of boxes, ISO/IEC 14496-12
   if (bytes.starts_with("GIF8")) return "a GIF";
   if (bytes.starts_with("ftyphei", brand) || bytes.starts_with("ftypmif1", brand)) return "a HEIC photograph";

@@ -12,10 +12,10 @@ namespace inkgrid {
 enum class ImageFormat { png, jpeg, tiff, webp, bmp, pnm };
 
 // By the first bytes, whatever the name.
-std::optional<ImageFormat> format_of(std::span<const char> bytes);
+std::optional<ImageFormat> format_of(std::span<const char> file);
 
 // What the bytes are where they are of another format, as "a GIF"; empty where that is not known either.
-const char* other_format(std::span<const char> bytes);
+const char* other_format(std::span<const char> file);
 
 struct ImageHeader {
   long width = 0;  // px; 0 where the file ends or breaks before it says so

@@ -289,7 +289,7 @@ std::vector<int> sorted_by(const std::vector<int>& items, Key key) {
     high = std::max(high, key(item));
   }
   std::vector<int> next(static_cast<std::size_t>(high - low) + 2, 0);
-  for (const int item : items) ++next[static_cast<std::size_t>(key(item) - low) + 1];
+  for (const int item : items) ++next[at(key(item) - low) + 1];
   for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
   std::vector<int> sorted(items.size());
   for (const int item : items) sorted[at(next[at(key(item) - low)]++)] = item;

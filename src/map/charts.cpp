@@ -116,7 +116,7 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   std::vector<int> first(mesh.points.size() + 1, 0);
   const auto cut_at = [&](int h) { return charts.cut[at(h)] != 0; };
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (cut_at(h)) ++first[static_cast<std::size_t>(origin(mesh, h)) + 1];
+    if (cut_at(h)) ++first[at(origin(mesh, h)) + 1];
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
     degree[v] = first[v + 1];
     first[v + 1] += first[v];

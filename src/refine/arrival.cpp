@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
@@ -56,9 +58,9 @@ double spread_about(const std::vector<Sample>& samples, const std::array<double,
 std::vector<Sample> samples_of(const RidgeChain& ridge, int k, int far, int step, Vec2 origin, Vec2 axis) {
   std::vector<Sample> samples;
   for (int i = k; i != far + step; i += step) {
-    const auto at = static_cast<std::size_t>(i);
-    const Vec2 p = ridge.chain.points[at] - origin;
-    if (ridge.sections[at].weight > 0) samples.push_back({dot(p, axis), cross(axis, p), ridge.sections[at].weight});
+    const Vec2 p = ridge.chain.points[at(i)] - origin;
+    const double weight = ridge.sections[at(i)].weight;
+    if (weight > 0) samples.push_back({dot(p, axis), cross(axis, p), weight});
   }
   return samples;
 }
@@ -78,33 +80,33 @@ class View {
     while (inside(k) && weight(k) <= 0) k += step_;
     if (!inside(k + 2 * step_)) return {};
     int sure = k;
-    while (inside(sure) && weight(sure) < 1 && norm(at(sure) - at(k)) < kUnsure * width_) sure += step_;
+    while (inside(sure) && weight(sure) < 1 && norm(point(sure) - point(k)) < kUnsure * width_) sure += step_;
     if (sure == k || !inside(sure + 2 * step_) || weight(sure) < 1) return line_from(k);
     const Arrival sure_line = line_from(sure);
-    const bool straight = dot(sure_line.direction, unit(at(k) - at(sure))) > kStraightOn;
+    const bool straight = dot(sure_line.direction, unit(point(k) - point(sure))) > kStraightOn;
     return straight ? sure_line : line_from(k);
   }
 
  private:
-  Vec2 at(int k) const { return ridge_.chain.points[static_cast<std::size_t>(k)]; }
-  double weight(int k) const { return ridge_.sections[static_cast<std::size_t>(k)].weight; }
+  Vec2 point(int k) const { return ridge_.chain.points[at(k)]; }
+  double weight(int k) const { return ridge_.sections[at(k)].weight; }
   bool inside(int k) const { return k >= 0 && k < static_cast<int>(ridge_.chain.points.size()); }
 
   int within(int from, double span) const {
     int far = from + step_;
-    while (inside(far + step_) && norm(at(far) - at(from)) < span) far += step_;
+    while (inside(far + step_) && norm(point(far) - point(from)) < span) far += step_;
     return far;
   }
 
   Arrival line_from(int last) const {
     const int bent = within(last, kBent * width_), from = inside(bent + 2 * step_) ? bent : last;
-    Arrival arrival{true, at(last), {}, std::abs(last - first_)};
+    Arrival arrival{true, point(last), {}, std::abs(last - first_)};
     for (double span = kLongest * width_;; span *= kShrink) {
       const bool shortest = span <= width_;
       const int far = within(from, std::max(span, width_));
-      const Vec2 axis = unit(at(last) - at(far));
+      const Vec2 axis = unit(point(last) - point(far));
       arrival.direction = axis;
-      const auto samples = samples_of(ridge_, from, far, step_, at(last), axis);
+      const auto samples = samples_of(ridge_, from, far, step_, point(last), axis);
       if (samples.size() < 5) return arrival;
       const double length = samples.front().x - samples.back().x, noise = kStraight * width_ + kNoise;
       auto curve = fitted_parabola(samples, false);

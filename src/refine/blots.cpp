@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/union_find.h"
 #include "refine/arrival.h"
@@ -89,9 +90,9 @@ class Blotter {
   }
 
  private:
-  const RidgeChain& ridge(int c) const { return ridges_[static_cast<std::size_t>(c)]; }
-  Run& run(int r) { return runs_[static_cast<std::size_t>(r)]; }
-  const Run& run(int r) const { return runs_[static_cast<std::size_t>(r)]; }
+  const RidgeChain& ridge(int c) const { return ridges_[at(c)]; }
+  Run& run(int r) { return runs_[at(r)]; }
+  const Run& run(int r) const { return runs_[at(r)]; }
   int size(int c) const { return static_cast<int>(ridge(c).chain.points.size()); }
 
   void find_runs() {
@@ -100,8 +101,7 @@ class Blotter {
       run_of_.emplace_back(confirmed.size(), -1);
       for (int k = 0; k < size(c);) {
         int end = k;
-        while (end < size(c) && !confirmed[static_cast<std::size_t>(end)])
-          run_of_.back()[static_cast<std::size_t>(end++)] = static_cast<int>(runs_.size());
+        while (end < size(c) && !confirmed[at(end)]) run_of_.back()[at(end++)] = static_cast<int>(runs_.size());
         if (end > k) runs_.push_back({c, k, end});
         k = std::max(end, k + 1);
       }
@@ -114,11 +114,10 @@ class Blotter {
     UnionFind groups(count + static_cast<int>(junctions_.size()));
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
       for (const bool at_start : {true, false}) {
-        const int r = at_start ? run_of_[static_cast<std::size_t>(c)].front() : run_of_[static_cast<std::size_t>(c)].back();
+        const int r = at_start ? run_of_[at(c)].front() : run_of_[at(c)].back();
         const int j = at_start ? ridge(c).chain.start_junction : ridge(c).chain.end_junction;
         if (r >= 0 && j >= 0) groups.unite(r, count + j);
-        if (r >= 0 && ridge(c).chain.closed && at_start && run_of_[static_cast<std::size_t>(c)].back() >= 0)
-          groups.unite(r, run_of_[static_cast<std::size_t>(c)].back());
+        if (r >= 0 && ridge(c).chain.closed && at_start && run_of_[at(c)].back() >= 0) groups.unite(r, run_of_[at(c)].back());
       }
     std::vector<Chain> chains;
     for (const auto& ridge : ridges_) chains.push_back(ridge.chain);
@@ -127,8 +126,8 @@ class Blotter {
       if (!drawn_.contains(x, y) || !drawn_(x, y)) return -1;
       const int owner = ownership.owner(x, y);
       if (owner < 0) return -1;
-      const auto s = ownership.samples[static_cast<std::size_t>(owner)];
-      return run_of_[static_cast<std::size_t>(s.chain)][static_cast<std::size_t>(s.point)];
+      const auto s = ownership.samples[at(owner)];
+      return run_of_[at(s.chain)][at(s.point)];
     };
     for (const auto [x, y] : band_.pixels()) {
       const int r = run_at(x, y);
@@ -142,7 +141,7 @@ class Blotter {
   void number_blots(UnionFind& groups) {
     std::vector<int> number(runs_.size() + junctions_.size(), -1);
     for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
-      int& n = number[static_cast<std::size_t>(groups.find(r))];
+      int& n = number[at(groups.find(r))];
       if (n < 0) {
         n = static_cast<int>(blots_.size());
         blots_.emplace_back();
@@ -151,15 +150,15 @@ class Blotter {
     }
     stays_.assign(blots_.size(), 0);
     for (std::size_t j = settled_; j < junctions_.size(); ++j) {
-      const int n = number[static_cast<std::size_t>(groups.find(static_cast<int>(runs_.size() + j)))];
-      if (n >= 0) stays_[static_cast<std::size_t>(n)] = 1;
+      const int n = number[at(groups.find(static_cast<int>(runs_.size() + j)))];
+      if (n >= 0) stays_[at(n)] = 1;
     }
   }
 
   void find_arms() {
     for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
       const Run& here = run(r);
-      auto& arms = blots_[static_cast<std::size_t>(here.blot)];
+      auto& arms = blots_[at(here.blot)];
       if (here.from > 0) arms.push_back({r, true, arrival_from(ridge(here.chain), here.from - 1, false)});
       if (here.to < size(here.chain)) arms.push_back({r, false, arrival_from(ridge(here.chain), here.to, true)});
     }
@@ -254,9 +253,9 @@ class Blotter {
     };
     for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
       const Run& here = run(r);
-      if (here.chain != c || target[static_cast<std::size_t>(here.blot)] < 0) continue;
+      if (here.chain != c || target[at(here.blot)] < 0) continue;
       cut = true;
-      const int junction = target[static_cast<std::size_t>(here.blot)];
+      const int junction = target[at(here.blot)];
       if (here.from > 0) emit(here.from, junction, arm_of(r, true));
       from = here.to;
       start = junction;
@@ -266,7 +265,7 @@ class Blotter {
   }
 
   const Arm* arm_of(int r, bool before) const {
-    for (const Arm& arm : blots_[static_cast<std::size_t>(run(r).blot)])
+    for (const Arm& arm : blots_[at(run(r).blot)])
       if (arm.run == r && arm.before == before) return &arm;
     return nullptr;
   }
@@ -293,7 +292,7 @@ class Blotter {
     const int junction = at_start ? piece.chain.start_junction : piece.chain.end_junction;
     auto& points = piece.chain.points;
     if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());
-    const Vec2 target = junctions_[static_cast<std::size_t>(junction)];
+    const Vec2 target = junctions_[at(junction)];
     while (points.size() > 2 && dot(direction, target - points.back()) < 0) points.pop_back();
     piece.sections.resize(points.size());
     const auto way = resampled({points.back(), target}, 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/polyline.h"
 
 namespace inkgrid {
@@ -85,7 +86,7 @@ double sketchiness(const std::vector<Flank>& flanks, const std::vector<Chain>& c
   double bundled = 0, length = 0;
   for (const Flank& flank : flanks) {
     bundled += logistic(kAlone, flank, 0, stroke_width) * flank.length;
-    for (const int c : {flank.chain, flank.other}) flanked[static_cast<std::size_t>(c)] = 1;
+    for (const int c : {flank.chain, flank.other}) flanked[at(c)] = 1;
   }
   for (std::size_t c = 0; c < chains.size(); ++c)
     if (flanked[c]) length += lengths_along(chains[c].points).back();

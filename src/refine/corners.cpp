@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "ink/ink.h"
@@ -88,14 +89,14 @@ class Corners {
     return std::move(ridges_);
   }
 
-  RidgeChain& ridge(int c) { return ridges_[static_cast<std::size_t>(c)]; }
-  const Chain& chain(int c) const { return ridges_[static_cast<std::size_t>(c)].chain; }
+  RidgeChain& ridge(int c) { return ridges_[at(c)]; }
+  const Chain& chain(int c) const { return ridges_[at(c)].chain; }
 
   void collect_ends() {
     for (auto& at : ends_) at.clear();
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
-      if (chain(c).start_junction >= 0) ends_[static_cast<std::size_t>(chain(c).start_junction)].push_back({c, true});
-      if (chain(c).end_junction >= 0) ends_[static_cast<std::size_t>(chain(c).end_junction)].push_back({c, false});
+      if (chain(c).start_junction >= 0) ends_[at(chain(c).start_junction)].push_back({c, true});
+      if (chain(c).end_junction >= 0) ends_[at(chain(c).end_junction)].push_back({c, false});
     }
   }
 
@@ -316,13 +317,13 @@ class Corners {
 
   void sharpen(RidgeChain& ridge) const {
     if (ridge.chain.closed) move_seam(ridge);
-    const auto unknown = [&](int k) { return ridge.sections[static_cast<std::size_t>(k)].weight <= 0; };
-    const auto at = [&](int k) { return ridge.chain.points[static_cast<std::size_t>(k)]; };
+    const auto unknown = [&](int k) { return ridge.sections[at(k)].weight <= 0; };
+    const auto point = [&](int k) { return ridge.chain.points[at(k)]; };
     for (int k = 1; k < static_cast<int>(ridge.chain.points.size()); ++k) {
       if (!unknown(k) || unknown(k - 1)) continue;
       const int size = static_cast<int>(ridge.chain.points.size());
       int end = k;
-      for (int j = k; j < size && norm(at(j) - at(end)) < kIsolated * ridge.chain.width; ++j)
+      for (int j = k; j < size && norm(point(j) - point(end)) < kIsolated * ridge.chain.width; ++j)
         if (unknown(j)) end = j + 1;
       if (end >= size) return;
       k = sharpen_between(ridge, k, end);
@@ -341,10 +342,10 @@ class Corners {
     if (!tip || !inside_ink(*tip, a, b, ridge.chain.width)) return to;
     auto& points = ridge.chain.points;
     const int first = from - a.last, last = to + b.last;
-    if (first > 1) points[static_cast<std::size_t>(first - 1)] = a.point;
-    if (last + 1 < static_cast<int>(points.size())) points[static_cast<std::size_t>(last)] = b.point;
-    std::vector<Vec2> way = resampled({points[static_cast<std::size_t>(first - 1)], *tip}, 1);
-    const std::vector<Vec2> back = resampled({*tip, points[static_cast<std::size_t>(last)]}, 1);
+    if (first > 1) points[at(first - 1)] = a.point;
+    if (last + 1 < static_cast<int>(points.size())) points[at(last)] = b.point;
+    std::vector<Vec2> way = resampled({points[at(first - 1)], *tip}, 1);
+    const std::vector<Vec2> back = resampled({*tip, points[at(last)]}, 1);
     way.insert(way.end(), back.begin() + 1, back.end());
     const auto replace = [&](auto& values, auto begin, auto end) {
       values.erase(values.begin() + first, values.begin() + last);

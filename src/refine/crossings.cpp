@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/at.h"
+
 namespace inkgrid {
 namespace {
 
@@ -34,9 +36,9 @@ std::vector<Entry> entries_of(const std::vector<Chain>& chains, double cell) {
   std::vector<Entry> entries;
   const auto index = [cell](double v) { return static_cast<int>(std::floor(v / cell)); };
   for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-    const auto& points = chains[static_cast<std::size_t>(c)].points;
+    const auto& points = chains[at(c)].points;
     for (int s = 0; s + 1 < static_cast<int>(points.size()); ++s) {
-      const Vec2 a = points[static_cast<std::size_t>(s)], b = points[static_cast<std::size_t>(s) + 1];
+      const Vec2 a = points[at(s)], b = points[at(s) + 1];
       for (int y = index(std::min(a.y, b.y)); y <= index(std::max(a.y, b.y)); ++y)
         for (int x = index(std::min(a.x, b.x)); x <= index(std::max(a.x, b.x)); ++x) entries.push_back({x, y, c, s});
     }
@@ -77,7 +79,7 @@ std::vector<std::vector<Cut>> cuts_of(Chains& chains, double cell, double near) 
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (std::size_t k = i + 1; k < entries.size() && entries[k].x == entries[i].x && entries[k].y == entries[i].y; ++k) {
       const Entry &e = entries[i], &f = entries[k];
-      const Chain &a = chains.chains[static_cast<std::size_t>(e.chain)], &b = chains.chains[static_cast<std::size_t>(f.chain)];
+      const Chain &a = chains.chains[at(e.chain)], &b = chains.chains[at(f.chain)];
       if (e.chain == f.chain && neighbours(a, e.segment, f.segment)) continue;
       const auto s = static_cast<std::size_t>(e.segment), t = static_cast<std::size_t>(f.segment);
       const auto found = crossing(a.points[s], a.points[s + 1], b.points[t], b.points[t + 1]);
@@ -88,8 +90,8 @@ std::vector<std::vector<Cut>> cuts_of(Chains& chains, double cell, double near) 
       if (already_meet(a, b, p, near)) continue;
       const int junction = static_cast<int>(chains.junctions.size());
       chains.junctions.push_back(p);
-      cuts[static_cast<std::size_t>(e.chain)].push_back({e.segment, found->first, junction, p});
-      cuts[static_cast<std::size_t>(f.chain)].push_back({f.segment, found->second, junction, p});
+      cuts[at(e.chain)].push_back({e.segment, found->first, junction, p});
+      cuts[at(f.chain)].push_back({f.segment, found->second, junction, p});
     }
   return cuts;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 std::vector<Chain> cut_chain(const Chain& chain, std::vector<Cut> cuts) {
@@ -15,11 +17,11 @@ std::vector<Chain> cut_chain(const Chain& chain, std::vector<Cut> cuts) {
   piece.end_junction = -1;
   std::size_t next = 0;
   for (int k = 0; k < static_cast<int>(chain.points.size()); ++k) {
-    piece.points.push_back(chain.points[static_cast<std::size_t>(k)]);
+    piece.points.push_back(chain.points[at(k)]);
     if (next >= cuts.size() || cuts[next].point != k) continue;
     piece.end_junction = cuts[next].junction;
     if (piece.points.size() > 1) pieces.push_back(piece);
-    piece.points = {chain.points[static_cast<std::size_t>(k)]};
+    piece.points = {chain.points[at(k)]};
     piece.start_junction = cuts[next].junction;
     while (next < cuts.size() && cuts[next].point == k) ++next;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "graph/dissolve.h"
@@ -36,7 +37,7 @@ Vec2 outward(const Chain& chain, bool at_start, double span) {
   const int n = static_cast<int>(chain.points.size());
   Vec2 base = tip;
   for (int k = 1; k < n; ++k) {
-    base = chain.points[static_cast<std::size_t>(at_start ? k : n - 1 - k)];
+    base = chain.points[at(at_start ? k : n - 1 - k)];
     if (norm(tip - base) >= span) break;
   }
   return unit(tip - base);
@@ -60,7 +61,7 @@ struct Meeting {
 
 std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownership, const Ink& ink, End end,
                                   const EndOptions& options) {
-  const auto& chain = chains.chains[static_cast<std::size_t>(end.chain)];
+  const auto& chain = chains.chains[at(end.chain)];
   const Vec2 tip = chain.points[end_index(chain, end.at_start)];
   const Vec2 direction = outward(chain, end.at_start, chain.width);
   const auto lengths = lengths_along(chain.points);
@@ -72,12 +73,12 @@ std::optional<Meeting> meeting_of(const Chains& chains, const Ownership& ownersh
     if (paper > options.bridge || (t >= options.reach && all_paper > 0)) return std::nullopt;
     const int owner = ownership.owner(floor_of(q.x), floor_of(q.y));
     if (owner < 0) continue;
-    const auto sample = ownership.samples[static_cast<std::size_t>(owner)];
-    const Vec2 target = chains.chains[static_cast<std::size_t>(sample.chain)].points[static_cast<std::size_t>(sample.point)];
+    const auto sample = ownership.samples[at(owner)];
+    const Vec2 target = chains.chains[at(sample.chain)].points[at(sample.point)];
     if (!over_ink(ink.mask, q, target, options.slit)) continue;
     if (sample.chain == end.chain) {
       // The chain's own far part counts as another chain.
-      const double back = std::abs(lengths[static_cast<std::size_t>(sample.point)] - (end.at_start ? 0 : lengths.back()));
+      const double back = std::abs(lengths[at(sample.point)] - (end.at_start ? 0 : lengths.back()));
       if (back < 3 * options.reach) continue;
     }
     return Meeting{end, sample.chain, sample.point, norm(target - tip)};
@@ -99,8 +100,8 @@ void append(Chain& chain, bool at_start, Vec2 point) {
 
 // A junction at, or near, a point of a chain: an existing one at its end, or a new cut.
 int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeting& meeting, double near) {
-  auto& chain = chains.chains[static_cast<std::size_t>(meeting.chain)];
-  const Vec2 target = chain.points[static_cast<std::size_t>(meeting.point)];
+  auto& chain = chains.chains[at(meeting.chain)];
+  const Vec2 target = chain.points[at(meeting.point)];
   for (const bool at_start : {true, false}) {
     if (chain.closed || norm(chain.points[end_index(chain, at_start)] - target) > near) continue;
     int& junction = at_start ? chain.start_junction : chain.end_junction;
@@ -110,9 +111,9 @@ int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeti
     }
     return junction;
   }
-  auto& here = cuts[static_cast<std::size_t>(meeting.chain)];
+  auto& here = cuts[at(meeting.chain)];
   for (const auto& cut : here)
-    if (norm(chains.junctions[static_cast<std::size_t>(cut.junction)] - target) <= near) return cut.junction;
+    if (norm(chains.junctions[at(cut.junction)] - target) <= near) return cut.junction;
   here.push_back({meeting.point, static_cast<int>(chains.junctions.size())});
   chains.junctions.push_back(target);
   return here.back().junction;
@@ -142,15 +143,14 @@ bool lies_beside(Vec2 tip, const Chain& chain) {
 bool passed(const Chains& chains, const Tip& a, const Tip& b) {
   const Vec2 way = b.point - a.point;
   return a.end.chain != b.end.chain && dot(a.direction, way) < 0 && dot(b.direction, way) > 0 &&
-         lies_beside(a.point, chains.chains[static_cast<std::size_t>(b.end.chain)]) &&
-         lies_beside(b.point, chains.chains[static_cast<std::size_t>(a.end.chain)]);
+         lies_beside(a.point, chains.chains[at(b.end.chain)]) && lies_beside(b.point, chains.chains[at(a.end.chain)]);
 }
 
 std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
   std::vector<Tip> tips;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false}) {
-      const auto& chain = chains.chains[static_cast<std::size_t>(c)];
+      const auto& chain = chains.chains[at(c)];
       if (is_free(chain, at_start))
         tips.push_back({{c, at_start}, chain.points[end_index(chain, at_start)], outward(chain, at_start, chain.width)});
     }
@@ -164,7 +164,7 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
       if (distance > farthest || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
       // Ends of one short chain face each other too.
       if (tips[i].end.chain == tips[j].end.chain &&
-          lengths_along(chains.chains[static_cast<std::size_t>(tips[i].end.chain)].points).back() < 3 * options.reach)
+          lengths_along(chains.chains[at(tips[i].end.chain)].points).back() < 3 * options.reach)
         continue;
       const bool aligned =
           dot(tips[i].direction, way) > kAligned * distance && dot(tips[j].direction, way) < -kAligned * distance;
@@ -249,8 +249,8 @@ Chains straightened_ends(const std::vector<RidgeChain>& ridges, std::vector<Vec2
 
 Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   for (const auto& pair : facing_ends(chains, ink, options)) {
-    auto& a = chains.chains[static_cast<std::size_t>(pair.a.chain)];
-    auto& b = chains.chains[static_cast<std::size_t>(pair.b.chain)];
+    auto& a = chains.chains[at(pair.a.chain)];
+    auto& b = chains.chains[at(pair.b.chain)];
     if (!is_free(a, pair.a.at_start) || !is_free(b, pair.b.at_start)) continue;
     if (pair.a.chain != pair.b.chain) cut_overlap(a, pair.a.at_start, b, pair.b.at_start);
     Vec2& tip_a = a.points[end_index(a, pair.a.at_start)];
@@ -271,14 +271,14 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   std::vector<Meeting> meetings;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false})
-      if (is_free(chains.chains[static_cast<std::size_t>(c)], at_start))
+      if (is_free(chains.chains[at(c)], at_start))
         if (const auto meeting = meeting_of(chains, ownership, ink, {c, at_start}, options)) meetings.push_back(*meeting);
   std::stable_sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; });
   std::vector<std::vector<Cut>> cuts(chains.chains.size());
   for (const auto& meeting : meetings) {
-    if (!is_free(chains.chains[static_cast<std::size_t>(meeting.end.chain)], meeting.end.at_start)) continue;
+    if (!is_free(chains.chains[at(meeting.end.chain)], meeting.end.at_start)) continue;
     const int junction = junction_on(chains, cuts, meeting, 0.5 * options.reach);
-    auto& chain = chains.chains[static_cast<std::size_t>(meeting.end.chain)];
+    auto& chain = chains.chains[at(meeting.end.chain)];
     // A chain that would run into its own end there stays open.
     if ((meeting.end.at_start ? chain.start_junction : chain.end_junction) == junction) continue;
     (meeting.end.at_start ? chain.start_junction : chain.end_junction) = junction;
@@ -286,8 +286,8 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   Chains result{chains.junctions, {}};
   for (std::size_t c = 0; c < chains.chains.size(); ++c)
     for (auto& piece : cut_chain(chains.chains[c], cuts[c])) {
-      if (piece.start_junction >= 0) append(piece, true, result.junctions[static_cast<std::size_t>(piece.start_junction)]);
-      if (piece.end_junction >= 0) append(piece, false, result.junctions[static_cast<std::size_t>(piece.end_junction)]);
+      if (piece.start_junction >= 0) append(piece, true, result.junctions[at(piece.start_junction)]);
+      if (piece.end_junction >= 0) append(piece, false, result.junctions[at(piece.end_junction)]);
       result.chains.push_back(std::move(piece));
     }
   return dissolve_junctions(std::move(result));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "graph/dissolve.h"
 #include "refine/bundles.h"
@@ -142,15 +143,15 @@ class Sweep {
   }
 
  private:
-  Chain& chain(int c) { return chains_.chains[static_cast<std::size_t>(c)]; }
-  bool is_changed(int c) const { return changed_[static_cast<std::size_t>(c)] != 0; }
+  Chain& chain(int c) { return chains_.chains[at(c)]; }
+  bool is_changed(int c) const { return changed_[at(c)] != 0; }
 
   void change(int c, Chain chain) {
-    chains_.chains[static_cast<std::size_t>(c)] = std::move(chain);
-    changed_[static_cast<std::size_t>(c)] = 1;
+    chains_.chains[at(c)] = std::move(chain);
+    changed_[at(c)] = 1;
   }
 
-  void remove(int c) { changed_[static_cast<std::size_t>(c)] = gone_[static_cast<std::size_t>(c)] = 1; }
+  void remove(int c) { changed_[at(c)] = gone_[at(c)] = 1; }
 
   bool is_flanked_all_along(const Flank& flank) {
     const Chain& c = chain(flank.chain);
@@ -230,7 +231,7 @@ class Sweep {
       tail.chain.points.push_back(
           lerp(tail.here[k], tail.opposite[k], smooth(static_cast<double>(k) / static_cast<double>(entry))));
     tail.chain.end_junction = junction_on(flank.other, target);
-    tail.chain.points.push_back(chains_.junctions[static_cast<std::size_t>(tail.chain.end_junction)]);
+    tail.chain.points.push_back(chains_.junctions[at(tail.chain.end_junction)]);
     change(flank.chain, std::move(tail.chain));
     return true;
   }
@@ -272,8 +273,8 @@ Chains drop_tails(Chains chains, double stroke_width) {
   for (const Chain& chain : chains.chains)
     for (const int j : {chain.start_junction, chain.end_junction})
       if (j >= 0) {
-        ++degree[static_cast<std::size_t>(j)];
-        widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], chain.width);
+        ++degree[at(j)];
+        widest[at(j)] = std::max(widest[at(j)], chain.width);
       }
   std::erase_if(chains.chains, [&](const Chain& chain) {
     if (chain.closed || (chain.start_junction < 0) == (chain.end_junction < 0)) return false;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/at.h"
 #include "base/index_raster.h"
 #include "base/polyline.h"
 #include "base/raster.h"
@@ -34,30 +35,29 @@ struct Samples {
   std::vector<int> first{0};
   std::vector<bool> closed;  // of each chain
 
-  int from(int chain) const { return first[static_cast<std::size_t>(chain)]; }
-  int to(int chain) const { return first[static_cast<std::size_t>(chain) + 1]; }
-  const Sample& operator[](int i) const { return all[static_cast<std::size_t>(i)]; }
+  int from(int chain) const { return first[at(chain)]; }
+  int to(int chain) const { return first[at(chain) + 1]; }
+  const Sample& operator[](int i) const { return all[at(i)]; }
 
   // Of one chain, the shorter way round.
   int steps_between(int i, int j) const {
     const int chain = (*this)[i].chain, way = std::abs(i - j);
-    return closed[static_cast<std::size_t>(chain)] ? std::min(way, to(chain) - from(chain) - way) : way;
+    return closed[at(chain)] ? std::min(way, to(chain) - from(chain) - way) : way;
   }
 };
 
 Samples sample(const std::vector<Chain>& chains) {
   Samples samples;
   for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-    const auto points = resampled(chains[static_cast<std::size_t>(c)].points, kStep);
+    const auto points = resampled(chains[at(c)].points, kStep);
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i) {
-      const Vec2 along = points[static_cast<std::size_t>(std::min(i + kTangentReach, count - 1))] -
-                         points[static_cast<std::size_t>(std::max(i - kTangentReach, 0))];
+      const Vec2 along = points[at(std::min(i + kTangentReach, count - 1))] - points[at(std::max(i - kTangentReach, 0))];
       const double length = norm(along);
-      samples.all.push_back({points[static_cast<std::size_t>(i)], length > 0 ? (1 / length) * along : Vec2{1, 0}, c, i});
+      samples.all.push_back({points[at(i)], length > 0 ? (1 / length) * along : Vec2{1, 0}, c, i});
     }
     samples.first.push_back(static_cast<int>(samples.all.size()));
-    samples.closed.push_back(chains[static_cast<std::size_t>(c)].closed);
+    samples.closed.push_back(chains[at(c)].closed);
   }
   return samples;
 }
@@ -102,8 +102,8 @@ class FlankFinder {
     const IndexRaster painted = paint(samples_, width, height);
     for (int i = 0; i < static_cast<int>(samples_.all.size()); ++i) {
       const Vec2 left{-samples_[i].tangent.y, samples_[i].tangent.x};
-      near_[static_cast<std::size_t>(i)] = {look(samples_, painted, i, left, options.farthest),
-                                            look(samples_, painted, i, Vec2{} - left, options.farthest)};
+      near_[at(i)] = {look(samples_, painted, i, left, options.farthest),
+                      look(samples_, painted, i, Vec2{} - left, options.farthest)};
     }
   }
 
@@ -117,7 +117,7 @@ class FlankFinder {
   }
 
  private:
-  const Neighbour& near(int i, std::size_t side) const { return near_[static_cast<std::size_t>(i)][side]; }
+  const Neighbour& near(int i, std::size_t side) const { return near_[at(i)][side]; }
 
   // From the sample before.
   bool goes_on(int i, std::size_t side) const {
@@ -139,7 +139,7 @@ class FlankFinder {
     }
     f.length = (to - from + 1) * kStep;
     std::nth_element(behind.begin(), behind.begin() + (to - from) / 2, behind.end());
-    f.clearance = behind[static_cast<std::size_t>((to - from) / 2)];
+    f.clearance = behind[at((to - from) / 2)];
     for (const int i : {from, to}) {
       const bool own = (i == from ? i == samples_.from(chain) : i == samples_.to(chain) - 1) && near_free_end(i);
       const bool other = near_free_end(near(i, side).sample);
@@ -152,7 +152,7 @@ class FlankFinder {
 
   bool near_free_end(int i) const {
     const Sample& s = samples_[i];
-    const Chain& chain = chains_[static_cast<std::size_t>(s.chain)];
+    const Chain& chain = chains_[at(s.chain)];
     const double near = kNearEnd * options_.stroke_width, rest = (samples_.to(s.chain) - 1 - i) * kStep;
     return !chain.closed && ((chain.start_junction < 0 && s.step * kStep <= near) || (chain.end_junction < 0 && rest <= near));
   }
@@ -160,8 +160,8 @@ class FlankFinder {
   // In the junction at the nearer end of the chain of sample i.
   bool meet(int i, int opposite) const {
     const Sample& s = samples_[i];
-    const Chain& chain = chains_[static_cast<std::size_t>(s.chain)];
-    const Chain& other = chains_[static_cast<std::size_t>(samples_[opposite].chain)];
+    const Chain& chain = chains_[at(s.chain)];
+    const Chain& other = chains_[at(samples_[opposite].chain)];
     const int junction = s.step < samples_.to(s.chain) - 1 - i ? chain.start_junction : chain.end_junction;
     return junction >= 0 && (junction == other.start_junction || junction == other.end_junction);
   }

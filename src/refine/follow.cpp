@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/index_raster.h"
 #include "base/polyline.h"
 #include "base/sample.h"
@@ -24,7 +25,7 @@ class Territory {
  public:
   Territory(const Chains& chains, const Ink& ink) : chain_(ink.width(), ink.height()), position_(ink.width(), ink.height()) {
     for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
-      const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+      const Chain& chain = chains.chains[at(c)];
       const auto points = resampled(chain.points, 1);
       for (std::size_t k = 0; k < points.size(); ++k) paint(points[k], kNear * chain.width, c, static_cast<float>(k));
       ends_.push_back({static_cast<double>(points.size() - 1), !chain.closed && chain.start_junction < 0,
@@ -37,12 +38,12 @@ class Territory {
     const int owner = chain_.at(p);
     if (owner != chain) return owner >= 0;
     const double position = static_cast<double>(nearest(position_, p, 0.0F));
-    return position < 0 || (from_start ? position : ends_[static_cast<std::size_t>(chain)].length - position) > tail;
+    return position < 0 || (from_start ? position : ends_[at(chain)].length - position) > tail;
   }
 
   // Whether the chain here has a free end within `farthest` px along it.
   bool free_end_within(Vec2 p, double farthest) const {
-    const Ends& ends = ends_[static_cast<std::size_t>(chain_.at(p))];
+    const Ends& ends = ends_[at(chain_.at(p))];
     const double position = static_cast<double>(nearest(position_, p, 0.0F));
     return position >= 0 && ((ends.free_start && position < farthest) || (ends.free_end && ends.length - position < farthest));
   }
@@ -133,7 +134,7 @@ Chains follow_strokes(Chains chains, const Ink& ink, double bridge, double least
   Territory territory(chains, ink);
   const Follower follower(ink, territory, bridge);
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
-    Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+    Chain& chain = chains.chains[at(c)];
     for (const bool at_start : {true, false}) {
       if (chain.closed || (at_start ? chain.start_junction : chain.end_junction) >= 0) continue;
       if (at_start) std::reverse(chain.points.begin(), chain.points.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "ink/ink.h"
 #include "refine/arrival.h"
 
@@ -63,15 +64,13 @@ Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> juncti
                         const JunctionOptions& options) {
   std::vector<std::vector<Branch>> branches(junctions.size());
   for (int c = 0; c < static_cast<int>(ridges.size()); ++c) {
-    const auto& ridge = ridges[static_cast<std::size_t>(c)];
-    if (ridge.chain.start_junction >= 0)
-      branches[static_cast<std::size_t>(ridge.chain.start_junction)].push_back({c, true, arrival_at(ridge, true)});
-    if (ridge.chain.end_junction >= 0)
-      branches[static_cast<std::size_t>(ridge.chain.end_junction)].push_back({c, false, arrival_at(ridge, false)});
+    const auto& ridge = ridges[at(c)];
+    if (ridge.chain.start_junction >= 0) branches[at(ridge.chain.start_junction)].push_back({c, true, arrival_at(ridge, true)});
+    if (ridge.chain.end_junction >= 0) branches[at(ridge.chain.end_junction)].push_back({c, false, arrival_at(ridge, false)});
   }
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     junctions[j] = meeting_point(branches[j], junctions[j], ink, options);
-    for (const auto& branch : branches[j]) bend_end(ridges[static_cast<std::size_t>(branch.chain)].chain, branch, junctions[j]);
+    for (const auto& branch : branches[j]) bend_end(ridges[at(branch.chain)].chain, branch, junctions[j]);
   }
   Chains chains{std::move(junctions), {}};
   for (auto& ridge : ridges) chains.chains.push_back(std::move(ridge.chain));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "refine/ownership.h"
@@ -15,8 +16,8 @@ std::vector<std::uint8_t> reached_pixels(const std::vector<Chain>& chains, const
   std::vector<std::uint8_t> reached(band.pixels().size(), 0);
   std::vector<int> queue;
   const auto reach = [&](int number) {
-    if (reached[static_cast<std::size_t>(number)]) return;
-    reached[static_cast<std::size_t>(number)] = 1;
+    if (reached[at(number)]) return;
+    reached[at(number)] = 1;
     queue.push_back(number);
   };
   for (const Chain& chain : chains)
@@ -31,16 +32,16 @@ std::vector<std::uint8_t> reached_pixels(const std::vector<Chain>& chains, const
 std::vector<Vec2> collect_piece(const Ink& ink, const InkBand& band, std::vector<std::uint8_t>& done, int first) {
   std::vector<Vec2> piece;
   std::vector<int> stack{first};
-  done[static_cast<std::size_t>(first)] = 1;
+  done[at(first)] = 1;
   while (!stack.empty()) {
     const int number = stack.back();
-    const auto [x, y] = band.pixels()[static_cast<std::size_t>(number)];
+    const auto [x, y] = band.pixels()[at(number)];
     stack.pop_back();
     piece.push_back({x + 0.5, y + 0.5});
     band.for_each_around(number, [&](int other, std::size_t, std::size_t) {
-      const auto beside = band.pixels()[static_cast<std::size_t>(other)];
-      if (!ink.mask(beside.x, beside.y) || done[static_cast<std::size_t>(other)]) return;
-      done[static_cast<std::size_t>(other)] = 1;
+      const auto beside = band.pixels()[at(other)];
+      if (!ink.mask(beside.x, beside.y) || done[at(other)]) return;
+      done[at(other)] = 1;
       stack.push_back(other);
     });
   }
@@ -81,8 +82,8 @@ Chains mark_leftovers(Chains chains, const Ink& ink, double reach) {
   const InkBand band(ink, reach);
   std::vector<std::uint8_t> done = reached_pixels(chains.chains, band);
   for (int k = 0; k < static_cast<int>(done.size()); ++k) {
-    const auto [x, y] = band.pixels()[static_cast<std::size_t>(k)];
-    if (ink.mask(x, y) && !done[static_cast<std::size_t>(k)]) chains.chains.push_back(mark_of(collect_piece(ink, band, done, k)));
+    const auto [x, y] = band.pixels()[at(k)];
+    if (ink.mask(x, y) && !done[at(k)]) chains.chains.push_back(mark_of(collect_piece(ink, band, done, k)));
   }
   return chains;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "base/at.h"
 #include "base/sample.h"
 
 namespace inkgrid {
@@ -33,7 +34,7 @@ class Spread {
   // Per pixel of the band the nearest sample.
   std::vector<int> run() {
     for (int s = 0; s < static_cast<int>(positions_.size()); ++s) {
-      const Vec2 from = positions_[static_cast<std::size_t>(s)];
+      const Vec2 from = positions_[at(s)];
       const int x = floor_of(from.x), y = floor_of(from.y), number = band_.number(x, y);
       if (number >= 0) offer(number, square(from.x - (x + 0.5)) + square(from.y - (y + 0.5)), s);
     }
@@ -55,11 +56,11 @@ class Spread {
   static double square(double x) { return x * x; }
 
   void offer_around(int number) {
-    Claim& own = claims_[static_cast<std::size_t>(number)];
+    Claim& own = claims_[at(number)];
     own.waiting = false;
     const int s = own.sample;
-    const Vec2 from = positions_[static_cast<std::size_t>(s)];
-    const InkBand::Pixel pixel = band_.pixels()[static_cast<std::size_t>(number)];
+    const Vec2 from = positions_[at(s)];
+    const InkBand::Pixel pixel = band_.pixels()[at(number)];
     std::array<double, 3> across, along;
     for (std::size_t k = 0; k < 3; ++k) {
       across[k] = square(from.x - (pixel.x - 0.5 + static_cast<double>(k)));
@@ -71,7 +72,7 @@ class Spread {
 
   // The smaller number where two samples are as near.
   void offer(int number, double distance2, int s) {
-    Claim& claim = claims_[static_cast<std::size_t>(number)];
+    Claim& claim = claims_[at(number)];
     if (distance2 > claim.distance2 || (distance2 == claim.distance2 && s >= claim.sample)) return;
     claim.distance2 = distance2;
     claim.sample = s;
@@ -91,8 +92,7 @@ Ownership assign_ink(const std::vector<Chain>& chains, const InkBand& band) {
   Ownership result{band, {}, {}, Spread(chains, band).run()};
   for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
     result.first.push_back(static_cast<int>(result.samples.size()));
-    for (int k = 0; k < static_cast<int>(chains[static_cast<std::size_t>(c)].points.size()); ++k)
-      result.samples.push_back({c, k});
+    for (int k = 0; k < static_cast<int>(chains[at(c)].points.size()); ++k) result.samples.push_back({c, k});
   }
   return result;
 }

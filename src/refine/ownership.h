@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "base/at.h"
 #include "base/index_raster.h"
 #include "graph/chains.h"
 
@@ -26,7 +27,7 @@ class InkBand {
   // Calls visit(number, column, row) for pixels of the band among the 3 x 3 around one of it, which are columns and rows 0 to 2.
   template <class Visit>
   void for_each_around(int number, const Visit& visit) const {
-    const Pixel centre = pixels_[static_cast<std::size_t>(number)];
+    const Pixel centre = pixels_[at(number)];
     std::size_t place = numbers_.place(centre.x, centre.y);
     for (std::size_t row = 0; row < 3; ++row, place += static_cast<std::size_t>(numbers_.width()))
       for (std::size_t column = 0; column < 3; ++column)
@@ -53,7 +54,7 @@ struct Ownership {
   // Of any pixel.
   int owner(int x, int y) const {
     const int number = band.number(x, y);
-    return number < 0 ? -1 : owners[static_cast<std::size_t>(number)];
+    return number < 0 ? -1 : owners[at(number)];
   }
 };
 

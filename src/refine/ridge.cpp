@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/at.h"
 #include "base/median.h"
 #include "base/parallel.h"
 #include "base/polyline.h"
@@ -94,7 +95,7 @@ class SectionReader {
 
   // The owner is a stretch of the same chain around the sample.
   bool belongs(int owner, int sample) const {
-    const auto a = ownership_.samples[static_cast<std::size_t>(owner)], b = ownership_.samples[static_cast<std::size_t>(sample)];
+    const auto a = ownership_.samples[at(owner)], b = ownership_.samples[at(sample)];
     return a.chain == b.chain && std::abs(a.point - b.point) * options_.step < 2.5 * farthest_;
   }
 
@@ -121,10 +122,10 @@ std::vector<double> usual_widths(const std::vector<CrossSection>& sections, int 
   for (int block = 0; block < n; block += stride) {
     std::vector<double> near;
     for (int i = std::max(0, block - span); i < std::min(n, block + span); ++i)
-      if (sections[static_cast<std::size_t>(i)].width > 0) near.push_back(sections[static_cast<std::size_t>(i)].width);
+      if (sections[at(i)].width > 0) near.push_back(sections[at(i)].width);
     if (near.size() < 5) continue;
     const double local = median(near);
-    for (int i = block; i < std::min(n, block + stride); ++i) usual[static_cast<std::size_t>(i)] = std::min(local, 1.5 * overall);
+    for (int i = block; i < std::min(n, block + stride); ++i) usual[at(i)] = std::min(local, 1.5 * overall);
   }
   return usual;
 }
@@ -275,7 +276,7 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand&
     ridge.sections.clear();
     for (int k = 0; k < n; ++k) {
       normals.push_back(quarter_turn(tangent_at(ridge.chain.points, k, tangent_span, ridge.chain.closed)));
-      ridge.sections.push_back(reader.read(first_sample + k, ridge.chain.points[static_cast<std::size_t>(k)], normals.back()));
+      ridge.sections.push_back(reader.read(first_sample + k, ridge.chain.points[at(k)], normals.back()));
     }
     if (options.drawn) doubt_rims(ridge, normals, ink.stroke_width, options);
     const auto usual = usual_widths(ridge.sections, width_span(ink.stroke_width, options.step), ink.stroke_width);
@@ -296,10 +297,10 @@ std::vector<Vec2> spaced_points(const Chain& chain, double step) {
 
 // The points of its parts, one after the other; what they share at junctions once.
 Chain joined(const std::vector<StrokePart>& stroke, const std::vector<RidgeChain>& parts) {
-  Chain whole = parts[static_cast<std::size_t>(stroke.front().chain)].chain;
+  Chain whole = parts[at(stroke.front().chain)].chain;
   whole.points.clear();
   for (const StrokePart& part : stroke) {
-    auto points = parts[static_cast<std::size_t>(part.chain)].chain.points;
+    auto points = parts[at(part.chain)].chain.points;
     if (part.reversed) std::reverse(points.begin(), points.end());
     whole.points.insert(whole.points.end(), points.begin() + (whole.points.empty() ? 0 : 1), points.end());
   }
@@ -310,7 +311,7 @@ Chain joined(const std::vector<StrokePart>& stroke, const std::vector<RidgeChain
 void split(const RidgeChain& whole, const std::vector<StrokePart>& stroke, std::vector<RidgeChain>& parts) {
   std::ptrdiff_t from = 0;
   for (const StrokePart& part : stroke) {
-    RidgeChain& ridge = parts[static_cast<std::size_t>(part.chain)];
+    RidgeChain& ridge = parts[at(part.chain)];
     const auto count = static_cast<std::ptrdiff_t>(ridge.chain.points.size());
     const auto copy = [&](const auto& values, auto& into) {
       into.assign(values.begin() + from, values.begin() + from + count);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/at.h"
 #include "base/polyline.h"
 #include "base/sample.h"
 #include "base/union_find.h"
@@ -43,7 +44,7 @@ std::vector<int> degrees(const Chains& chains) {
   std::vector<int> degree(chains.junctions.size(), 0);
   for (const auto& chain : chains.chains)
     for (const int j : {chain.start_junction, chain.end_junction})
-      if (j >= 0) ++degree[static_cast<std::size_t>(j)];
+      if (j >= 0) ++degree[at(j)];
   return degree;
 }
 
@@ -53,7 +54,7 @@ UnionFind linked_junctions(const Chains& chains, const std::vector<int>& links, 
   std::vector<std::pair<Vec2, Vec2>> extent;
   for (const Vec2 p : chains.junctions) extent.emplace_back(p, p);
   for (const int i : links) {
-    const auto& c = chains.chains[static_cast<std::size_t>(i)];
+    const auto& c = chains.chains[at(i)];
     const auto a = static_cast<std::size_t>(groups.find(c.start_junction)),
                b = static_cast<std::size_t>(groups.find(c.end_junction));
     const Vec2 low{std::min(extent[a].first.x, extent[b].first.x), std::min(extent[a].first.y, extent[b].first.y)};
@@ -69,18 +70,17 @@ void collapse_links(Chains& chains, double link, double bare_link) {
   std::vector<int> links;
   std::vector<double> length;
   for (int i = 0; i < static_cast<int>(chains.chains.size()); ++i) {
-    const auto& c = chains.chains[static_cast<std::size_t>(i)];
+    const auto& c = chains.chains[at(i)];
     length.push_back(link_length(c));
     if (c.start_junction < 0 || c.end_junction < 0) continue;
     if (length.back() < link || (length.back() < bare_link && c.confirmed < 0.25 * link)) links.push_back(i);
   }
-  std::stable_sort(links.begin(), links.end(),
-                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
+  std::stable_sort(links.begin(), links.end(), [&](int a, int b) { return length[at(a)] < length[at(b)]; });
   UnionFind groups = linked_junctions(chains, links, 1.5 * std::max(link, bare_link));
   std::vector<std::uint8_t> gone(chains.chains.size(), 0);
   for (const int i : links) {
-    const auto& c = chains.chains[static_cast<std::size_t>(i)];
-    gone[static_cast<std::size_t>(i)] = groups.find(c.start_junction) == groups.find(c.end_junction);
+    const auto& c = chains.chains[at(i)];
+    gone[at(i)] = groups.find(c.start_junction) == groups.find(c.end_junction);
   }
   std::vector<Chain> kept;
   for (std::size_t i = 0; i < chains.chains.size(); ++i)
@@ -90,7 +90,7 @@ void collapse_links(Chains& chains, double link, double bare_link) {
   std::vector<int> count(chains.junctions.size(), 0);
   for (int j = 0; j < static_cast<int>(chains.junctions.size()); ++j) {
     const auto root = static_cast<std::size_t>(groups.find(j));
-    sum[root] += chains.junctions[static_cast<std::size_t>(j)];
+    sum[root] += chains.junctions[at(j)];
     ++count[root];
   }
   for (auto& c : chains.chains)
@@ -120,11 +120,11 @@ Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
   for (std::size_t i = 0; i < ownership.owners.size(); ++i) {
     const int owner = ownership.owners[i];
     if (owner < 0 || !ink.mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
-    const auto s = ownership.samples[static_cast<std::size_t>(owner)];
-    const auto& l = lengths[static_cast<std::size_t>(s.chain)];
-    const double parameter = l.back() > 0 ? l[static_cast<std::size_t>(s.point)] / l.back() : 0;
+    const auto s = ownership.samples[at(owner)];
+    const auto& l = lengths[at(s.chain)];
+    const double parameter = l.back() > 0 ? l[at(s.point)] / l.back() : 0;
     const int own = bins_of(l.back(), bins), bin = std::min(own - 1, static_cast<int>(parameter * own));
-    ++histogram[static_cast<std::size_t>(s.chain * bins + bin)];
+    ++histogram[at(s.chain * bins + bin)];
   }
   std::vector<Chain> kept;
   for (std::size_t c = 0; c < chains.chains.size(); ++c) {
@@ -145,9 +145,9 @@ class PointBins {
  public:
   PointBins(const std::vector<Chain>& chains, double cell) : cell_(cell) {
     for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-      const auto& points = chains[static_cast<std::size_t>(c)].points;
+      const auto& points = chains[at(c)].points;
       for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-        const Vec2 p = points[static_cast<std::size_t>(k)];
+        const Vec2 p = points[at(k)];
         entries_.push_back({column(p.x), column(p.y), c, p, tangent_at(points, k, 2, false)});
       }
     }
@@ -161,7 +161,7 @@ class PointBins {
     for (int y = column(p.y) - 1; y <= column(p.y) + 1; ++y) {
       auto it = std::lower_bound(entries_.begin(), entries_.end(), Entry{column(p.x) - 1, y, -1, {}, {}}, before);
       for (; it != entries_.end() && it->y == y && it->x <= column(p.x) + 1; ++it)
-        if (it->chain != chain && alive[static_cast<std::size_t>(it->chain)] && norm2(it->point - p) <= distance * distance &&
+        if (it->chain != chain && alive[at(it->chain)] && norm2(it->point - p) <= distance * distance &&
             std::abs(dot(it->direction, direction)) >= cosine)
           return true;
     }
@@ -197,8 +197,7 @@ std::vector<int> shortest_first(const std::vector<Chain>& chains) {
   std::iota(order.begin(), order.end(), 0);
   std::vector<double> length;
   for (const auto& c : chains) length.push_back(length_of(c));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return length[static_cast<std::size_t>(a)] < length[static_cast<std::size_t>(b)]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[at(a)] < length[at(b)]; });
   return order;
 }
 
@@ -209,12 +208,11 @@ Chains drop_doubles(Chains chains, double distance) {
   const PointBins bins(chains.chains, distance);
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (const int c : shortest_first(chains.chains)) {
-    const auto& points = chains.chains[static_cast<std::size_t>(c)].points;
+    const auto& points = chains.chains[at(c)].points;
     int doubled = 0;
     for (int k = 0; k < static_cast<int>(points.size()); ++k)
-      doubled +=
-          bins.has_companion(points[static_cast<std::size_t>(k)], tangent_at(points, k, 2, false), c, alive, distance, 0.8);
-    if (7 * doubled >= 6 * static_cast<int>(points.size())) alive[static_cast<std::size_t>(c)] = 0;
+      doubled += bins.has_companion(points[at(k)], tangent_at(points, k, 2, false), c, alive, distance, 0.8);
+    if (7 * doubled >= 6 * static_cast<int>(points.size())) alive[at(c)] = 0;
   }
   return kept_chains(std::move(chains), alive);
 }
@@ -224,19 +222,19 @@ Chains drop_spurs(Chains chains, double share) {
   std::vector<double> widest(chains.junctions.size(), 0);
   for (const auto& c : chains.chains)
     for (const int j : {c.start_junction, c.end_junction})
-      if (j >= 0) widest[static_cast<std::size_t>(j)] = std::max(widest[static_cast<std::size_t>(j)], c.width);
+      if (j >= 0) widest[at(j)] = std::max(widest[at(j)], c.width);
   double widest_of_all = 0;
   for (const auto& c : chains.chains) widest_of_all = std::max(widest_of_all, c.width);
   if (widest_of_all <= 0) return chains;
   const PointBins bins(chains.chains, share * widest_of_all);
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (const int i : shortest_first(chains.chains)) {
-    const Chain& c = chains.chains[static_cast<std::size_t>(i)];
+    const Chain& c = chains.chains[at(i)];
     const int j = std::max(c.start_junction, c.end_junction);
     if (c.closed || std::min(c.start_junction, c.end_junction) >= 0) continue;
-    if (j >= 0 && degree[static_cast<std::size_t>(j)] < 3) continue;
-    const double distance = share * (j >= 0 ? widest[static_cast<std::size_t>(j)] : c.width);
-    alive[static_cast<std::size_t>(i)] =
+    if (j >= 0 && degree[at(j)] < 3) continue;
+    const double distance = share * (j >= 0 ? widest[at(j)] : c.width);
+    alive[at(i)] =
         !std::all_of(c.points.begin(), c.points.end(), [&](Vec2 p) { return bins.has_companion(p, {}, i, alive, distance, 0); });
   }
   return kept_chains(std::move(chains), alive);
@@ -343,22 +341,22 @@ Vec2 departure(const Chain& chain, bool at_start, double span) {
 Chains drop_overshoots(Chains chains, double longest) {
   std::vector<std::vector<std::pair<int, Vec2>>> branches(chains.junctions.size());
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
-    const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+    const Chain& chain = chains.chains[at(c)];
     for (const bool at_start : {true, false}) {
       const int j = at_start ? chain.start_junction : chain.end_junction;
-      if (j >= 0) branches[static_cast<std::size_t>(j)].emplace_back(c, departure(chain, at_start, longest));
+      if (j >= 0) branches[at(j)].emplace_back(c, departure(chain, at_start, longest));
     }
   }
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
-  for (const auto& at : branches) {
-    if (at.size() < 3) continue;
-    for (const auto& [c, direction] : at) {
-      const Chain& chain = chains.chains[static_cast<std::size_t>(c)];
+  for (const auto& here : branches) {
+    if (here.size() < 3) continue;
+    for (const auto& [c, direction] : here) {
+      const Chain& chain = chains.chains[at(c)];
       if (std::min(chain.start_junction, chain.end_junction) >= 0 || length_of(chain) > longest) continue;
-      const bool goes_on = std::any_of(at.begin(), at.end(), [&, c = c, direction = direction](const auto& other) {
+      const bool goes_on = std::any_of(here.begin(), here.end(), [&, c = c, direction = direction](const auto& other) {
         return other.first != c && dot(other.second, direction) < -kStraightOn;
       });
-      if (goes_on) alive[static_cast<std::size_t>(c)] = 0;
+      if (goes_on) alive[at(c)] = 0;
     }
   }
   return kept_chains(std::move(chains), alive);

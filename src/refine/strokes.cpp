@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/at.h"
 #include "base/polyline.h"
 
 namespace inkgrid {
@@ -20,7 +21,7 @@ bool at_start(int end) {
 
 // From the end into the chain; zero where that is shorter than the span, and points nowhere in particular.
 Vec2 departure(const std::vector<Chain>& chains, int end, double span) {
-  const auto& points = chains[static_cast<std::size_t>(chain_of(end))].points;
+  const auto& points = chains[at(chain_of(end))].points;
   const auto lengths = lengths_along(points);
   if (lengths.back() < span) return {};
   return unit(at_start(end) ? point_at(points, lengths, span) - points.front()
@@ -30,11 +31,11 @@ Vec2 departure(const std::vector<Chain>& chains, int end, double span) {
 std::vector<std::vector<int>> ends_at_junctions(const std::vector<Chain>& chains) {
   std::vector<std::vector<int>> ends;
   for (int end = 0; end < 2 * static_cast<int>(chains.size()); ++end) {
-    const Chain& chain = chains[static_cast<std::size_t>(chain_of(end))];
+    const Chain& chain = chains[at(chain_of(end))];
     const int junction = at_start(end) ? chain.start_junction : chain.end_junction;
     if (junction < 0) continue;
     if (static_cast<std::size_t>(junction) >= ends.size()) ends.resize(static_cast<std::size_t>(junction) + 1);
-    ends[static_cast<std::size_t>(junction)].push_back(end);
+    ends[at(junction)].push_back(end);
   }
   return ends;
 }
@@ -51,9 +52,9 @@ std::vector<int> continuations(const std::vector<Chain>& chains, double span) {
       }
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [bend, a, b] : pairs)
-      if (next[static_cast<std::size_t>(a)] < 0 && next[static_cast<std::size_t>(b)] < 0) {
-        next[static_cast<std::size_t>(a)] = b;
-        next[static_cast<std::size_t>(b)] = a;
+      if (next[at(a)] < 0 && next[at(b)] < 0) {
+        next[at(a)] = b;
+        next[at(b)] = a;
       }
   }
   return next;
@@ -67,16 +68,16 @@ std::vector<std::vector<StrokePart>> strokes_of(const std::vector<Chain>& chains
   std::vector<bool> taken(chains.size(), false);
   const auto follow = [&](int end) {
     strokes.emplace_back();
-    while (end >= 0 && !taken[static_cast<std::size_t>(chain_of(end))]) {
-      taken[static_cast<std::size_t>(chain_of(end))] = true;
+    while (end >= 0 && !taken[at(chain_of(end))]) {
+      taken[at(chain_of(end))] = true;
       strokes.back().push_back({chain_of(end), !at_start(end)});
-      end = next[static_cast<std::size_t>(end ^ 1)];
+      end = next[at(end ^ 1)];
     }
   };
   // Rounds of chains have no first one: what is left belongs to them.
   for (const bool of_rounds : {false, true})
     for (int end = 0; end < static_cast<int>(next.size()); ++end)
-      if (!taken[static_cast<std::size_t>(chain_of(end))] && (of_rounds || next[static_cast<std::size_t>(end)] < 0)) follow(end);
+      if (!taken[at(chain_of(end))] && (of_rounds || next[at(end)] < 0)) follow(end);
   return strokes;
 }
 
