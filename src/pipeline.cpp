@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "fit/fit_outlines.h"
 #include "graph/folds.h"
@@ -199,13 +200,13 @@ JoinedInk ground_of(const Stages& stages, const ScaleMask* mask, bool slimmed) {
   return {slimmed ? slim_ink(joined.ink, share) : std::move(joined.ink), std::move(joined.scale)};
 }
 
-// Takes what another owns, and gives it back at the end of its life.
+// Changes two owners' inks over, and back at the end of its life.
 class Borrowed {
  public:
-  Borrowed(Ink& from, Ink& to) : from_(from), to_(to) { to_ = std::move(from_); }
+  Borrowed(Ink& from, Ink& to) : from_(from), to_(to) { std::swap(from_, to_); }
   Borrowed(const Borrowed&) = delete;
   Borrowed& operator=(const Borrowed&) = delete;
-  ~Borrowed() { from_ = std::move(to_); }
+  ~Borrowed() { std::swap(from_, to_); }
 
  private:
   Ink& from_;

@@ -1,7 +1,3 @@
-// What:   see bmp.h.
-// Source: see bmp.h.
-// Differs: see bmp.h.
-// Cost:   see bmp.h.
 #include "images/bmp.h"
 
 #include <bit>

@@ -1,7 +1,3 @@
-// What:   see image_decode.h.
-// Source: see image_decode.h.
-// Differs: a JPEG of whose data a part is missing is damaged, not filled up with grey.
-// Cost:   decoding, and one pass over the pixels for the formats of Leptonica.
 #include "images/image_decode.h"
 
 // jpeglib.h needs stdio.h before it, and jerror.h needs jpeglib.h.

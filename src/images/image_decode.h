@@ -1,7 +1,7 @@
 // What:   the samples of an image file, 8 bits each.
 // Source: libpng and libjpeg, which tell of damage without printing; Leptonica for TIFF, WebP and PNM; bmp.h.
-// Differs: nothing.
-// Cost:   decoding.
+// Differs: a JPEG of whose data a part is missing is damaged, not filled up with grey.
+// Cost:   decoding, and one pass over the pixels for the formats of Leptonica.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,3 @@
-// What:   see image_format.h.
-// Source: the file formats.
-// Differs: see image_format.h.
-// Cost:   see image_format.h.
 #include "images/image_format.h"
 
 #include <cstdint>

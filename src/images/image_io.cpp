@@ -1,7 +1,3 @@
-// What:   see image_io.h.
-// Source: Rec. 601 for the luma.
-// Differs: nothing.
-// Cost:   decoding, one pass over the pixels.
 #include "images/image_io.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // What:   drawings and scribble masks from files or memory, by content, whatever the extension.
-// Source: section 7, "User control" for the colours of the scribbles.
-// Cost:   decoding.
+// Source: section 7, "User control" for the colours of the scribbles; Rec. 601 for the luma.
+// Differs: nothing.
+// Cost:   decoding, and a pass over the pixels.
 #pragma once
 
 #include <span>

@@ -1,7 +1,3 @@
-// What:   see orientation.h.
-// Source: see orientation.h.
-// Differs: see orientation.h.
-// Cost:   see orientation.h.
 #include "images/orientation.h"
 
 #include <algorithm>

@@ -52,6 +52,7 @@ std::vector<Flank> flanks_of_one_line(const Chains& chains, const FlankingOption
       likely.emplace_back(one_line(flank, options.sketchiness, options.stroke_width), std::move(flank));
   std::stable_sort(likely.begin(), likely.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Flank> flanks;
+  flanks.reserve(likely.size());
   for (auto& [likelihood, flank] : likely) flanks.push_back(std::move(flank));
   return flanks;
 }
@@ -138,7 +139,7 @@ class Sweep {
   Chains joined() && {
     Chains kept{std::move(chains_.junctions), {}};
     for (std::size_t c = 0; c < chains_.chains.size(); ++c)
-      if (!gone_[c]) kept.chains.push_back(changed_[c] ? std::move(chains_.chains[c]) : before_.chains[c]);
+      if (!gone_[c]) kept.chains.push_back((changed_[c] ? chains_ : before_).chains[c]);
     return dissolve_junctions(std::move(kept));
   }
 

@@ -179,7 +179,7 @@ struct FiveDiagonals {
 
 // By L D L^T in place.
 std::vector<double> solve(FiveDiagonals system, std::vector<double> x) {
-  auto& [diagonal, first, second] = system;
+  std::vector<double>&diagonal = system.diagonal, &first = system.first, &second = system.second;
   const std::size_t n = x.size();
   for (std::size_t k = 0; k < n; ++k) {
     double l2 = 0, l1 = 0;
@@ -255,6 +255,7 @@ void move_points(RidgeChain& ridge, const std::vector<Vec2>& normals, const std:
 std::vector<double> stiffness(const Chain& chain, const std::vector<double>& usual, double stroke_width,
                               const RidgeOptions& options) {
   std::vector<double> ratio;
+  ratio.reserve(usual.size());
   for (const double width : usual) ratio.push_back(std::clamp(width / stroke_width, 1.0, kStiffest));
   const double fade = options.step / (kFade * stroke_width);
   for (std::size_t k = 1; k < ratio.size(); ++k) ratio[k] = std::max(ratio[k], ratio[k - 1] - fade);
@@ -266,6 +267,7 @@ std::vector<double> stiffness(const Chain& chain, const std::vector<double>& usu
 
 void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand& band, const RidgeOptions& options) {
   std::vector<Chain> chains;
+  chains.reserve(ridges.size());
   for (const auto& r : ridges) chains.push_back(r.chain);
   const Ownership ownership = assign_ink(chains, band);
   const SectionReader reader(ownership, ink, options);
@@ -289,7 +291,7 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand&
 }
 
 std::vector<Vec2> spaced_points(const Chain& chain, double step) {
-  const auto points = resampled(chain.points, step);
+  auto points = resampled(chain.points, step);
   // Short closed chains keep enough points to stay round.
   if (chain.closed && points.size() < 9) return resampled(chain.points, lengths_along(chain.points).back() / 8);
   return points;

@@ -195,8 +195,8 @@ Chains kept_chains(Chains chains, const std::vector<std::uint8_t>& alive) {
 std::vector<int> shortest_first(const std::vector<Chain>& chains) {
   std::vector<int> order(chains.size());
   std::iota(order.begin(), order.end(), 0);
-  std::vector<double> length;
-  for (const auto& c : chains) length.push_back(length_of(c));
+  std::vector<double> length(chains.size());
+  std::transform(chains.begin(), chains.end(), length.begin(), length_of);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[at(a)] < length[at(b)]; });
   return order;
 }
