@@ -357,6 +357,8 @@ void report_choice(const Stages& stages, Report& report) {
   report.spacing = *options.spacing;
   report.gap = *options.gap;
   report.bundles = stages.bundles.count;
+  if (options.preset == Preset::clean && report.bundles > 0)
+    report.warnings.push_back("bundles are joined in a clean drawing, where lines side by side are mostly meant to be two");
 }
 
 // As rerun_stages; only where all is kept `stages` may hold stages of an earlier run.

@@ -88,6 +88,18 @@ double length_of(const Stages& stages) {
                          [](double sum, const Chain& c) { return sum + lengths_along(c.points).back(); });
 }
 
+TEST(Bundles, AreJoinedWithAWarningInACleanDrawing) {
+  Options options;
+  options.bundles = BundleMode::join;
+  const auto is_of_bundles = [](const std::string& warning) { return warning.starts_with("bundles are joined"); };
+  for (const Preset preset : {Preset::rough, Preset::clean}) {
+    options.preset = preset;
+    const Report report = vectorize(sketched_circle(9), options).report;
+    EXPECT_GT(report.bundles, 0);
+    EXPECT_EQ(std::any_of(report.warnings.begin(), report.warnings.end(), is_of_bundles), preset == Preset::clean);
+  }
+}
+
 TEST(Bundles, AnOverdrawnCircleBecomesOneRound) {
   const double round = 2 * std::numbers::pi * 90;
   for (const double spread : {9.0, 12.0, 15.0}) {
