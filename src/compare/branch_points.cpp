@@ -15,6 +15,7 @@ namespace {
 std::vector<Vec2> merged(const std::vector<Vec2>& points, double radius) {
   const PointTree tree(points);
   std::vector<std::vector<int>> neighbours;
+  neighbours.reserve(points.size());
   for (const Vec2 point : points) neighbours.push_back(tree.within(point, radius));
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);

@@ -116,6 +116,7 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& polyline) {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<Vec2> points;
+  points.reserve(places.size());
   for (const double place : places) points.push_back(point_at(polyline, lengths, place));
   return points;
 }
