@@ -7,6 +7,7 @@
 #include "graph/dissolve.h"
 #include "refine/bundles.h"
 #include "refine/cuts.h"
+#include "refine/lenses.h"
 
 namespace inkgrid {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kRamp = 2;        // gaps: over which a line moves to the middl
 constexpr double kEntry = 3;       // gaps: over which a chain goes over into another
 constexpr double kFacing = 2;      // strokes
 constexpr int kSweeps = 3;
+constexpr double kSketchy = 0.1;        // sketchiness: of drawings in which a line can part by chance
 constexpr double kOverdrawn = 1.0 / 3;  // sketchiness
 constexpr double kBundle = 2.5;         // strokes
 constexpr double kTail = 2;             // widths of the bundle
@@ -296,7 +298,8 @@ Chains join_flanking(Chains chains, const FlankingOptions& options) {
     if (!sweep.join()) break;
     chains = std::move(sweep).joined();
   }
-  return options.sketchiness < kOverdrawn ? chains : drop_tails(std::move(chains), options.stroke_width);
+  if (options.sketchiness >= kSketchy) chains = join_lenses(std::move(chains), options.stroke_width);
+  return options.sketchiness >= kOverdrawn ? drop_tails(std::move(chains), options.stroke_width) : chains;
 }
 
 }  // namespace inkgrid

@@ -17,8 +17,8 @@ struct FlankingOptions {
 
 // A chain with a free end that runs beside another and is likely to have been drawn for the same line (one_line) is dropped where
 // it does so all along; where the other ends beside it as well, both go on into each other; else it runs into the other from
-// where the two are side by side.  What stays runs through the middle.  Where more than a third of the length is drawn over,
-// short ends that stick out of wide bundles are dropped.
+// where the two are side by side.  What stays runs through the middle.  Where more than a tenth of the length is drawn over,
+// lenses are joined (lenses.h), and where more than a third is, short ends that stick out of wide bundles are dropped.
 Chains join_flanking(Chains chains, const FlankingOptions& options);
 
 }  // namespace inkgrid
