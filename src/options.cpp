@@ -29,8 +29,9 @@ constexpr const auto& names_of() {
     return kBundleModeNames;
 }
 
-constexpr std::array<std::string_view, 12> kStageNames{"ink",      "bundles",  "band",   "frame field", "charts", "labels",
-                                                       "grid map", "isolines", "chains", "scribbles",   "fit",    ""};
+constexpr std::array<std::string_view, 13> kStageNames{"ink",       "bundles", "slim ink", "band",     "frame field",
+                                                       "charts",    "labels",  "grid map", "isolines", "chains",
+                                                       "scribbles", "fit",     ""};
 
 constexpr std::array kTable{
     OptionRow{"preset", &Options::preset, Stage::bundles, "", 0, 2, "7",

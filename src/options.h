@@ -17,7 +17,7 @@ using OptionMember = std::variant<Preset Options::*, FillMode Options::*, Bundle
                                   std::optional<double> Options::*, int Options::*>;
 
 // The stages of the method that an option may enter at, in their order (pipeline.h).
-enum class Stage { ink, bundles, band, field, charts, labels, map, isolines, chains, scribbles, fit, none };
+enum class Stage { ink, bundles, slim, band, field, charts, labels, map, isolines, chains, scribbles, fit, none };
 
 // The name of the stage as progress and Report::seconds tell it; "" for none.
 std::string_view stage_name(Stage stage);

@@ -85,7 +85,7 @@ Stage first_stage_changed(const Stages& before, const Inputs& now) {
   Options known = before.inputs.settled;
   known.preset = now.settled.preset;  // it has done its work
   Stage changed = first_stage_changed(known, now.settled);
-  if (changed > Stage::band && !same_ground(before, *now.settled.spacing)) changed = Stage::band;
+  if (changed > Stage::slim && !same_ground(before, *now.settled.spacing)) changed = Stage::slim;
   return same_mask(before.inputs.mask, now.mask) ? changed : std::min(changed, Stage::scribbles);
 }
 
@@ -96,7 +96,8 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   };
   move(Stage::ink, &Stages::fills, &Stages::ink);
   move(Stage::bundles, &Stages::bundles);
-  move(Stage::band, &Stages::slim, &Stages::bundle_scale, &Stages::mesh);
+  move(Stage::slim, &Stages::slim, &Stages::bundle_scale);
+  move(Stage::band, &Stages::mesh);
   move(Stage::field, &Stages::field);
   move(Stage::charts, &Stages::charts);
   move(Stage::labels, &Stages::labels);
@@ -318,7 +319,7 @@ struct FittedBefore {
 void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch& run, const Control& control, Keep keep) {
   if (first <= Stage::bundles && stages.inputs.settled.bundles == BundleMode::join)
     stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
-  if (first <= Stage::band) {
+  if (first <= Stage::slim) {
     JoinedInk ground = run("slim ink", 0.28, [&] {
       const bool slimmed = is_slimmed(stages.ink, *stages.inputs.settled.spacing);
       if (slimmed || stages.bundles.count > 0) release(keep, stages.ink.depth, stages.ink.rise);
@@ -326,6 +327,8 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
     });
     stages.slim = std::move(ground.ink);
     stages.bundle_scale = std::move(ground.scale);
+  }
+  if (first <= Stage::band) {
     const ScaleMask* scale = stages.bundle_scale.factor.empty() ? nullptr : &stages.bundle_scale;
     stages.mesh = run("band", 0.3, [&] { return band_of(stages, scale); });
   }

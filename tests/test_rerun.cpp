@@ -138,6 +138,9 @@ std::vector<std::vector<double>> numbers_of(const Stages& s) {
   of(Stage::ink).add(s.ink.stroke_width);
   of(Stage::bundles).add(s.bundles.slits.data);
   of(Stage::bundles).add(s.bundles.count);
+  of(Stage::slim).add(s.slim.mask.data);
+  of(Stage::slim).add(s.slim.darkness.data);
+  of(Stage::slim).add(s.bundle_scale.factor);
   of(Stage::band).add(s.mesh.points);
   of(Stage::band).add(s.mesh.faces);
   of(Stage::band).add(s.mesh.scale);
@@ -226,6 +229,19 @@ TEST(Rerun, KeepsTheBandWhereNoSpacingSlimsStrokes) {
   rerun_stages(stages, image, close, {});
   EXPECT_TRUE(stages_run(stages).contains("band"));
   expect_same(stages, run_stages(image, close, {}));
+}
+
+TEST(Rerun, KeepsSlimmedStrokesWhereOnlyTheBandChanges) {
+  const Image image = drawing();
+  Options slim = with("spacing", "0.6");
+  Stages stages = run_stages(image, slim, {});
+  ASSERT_TRUE(stages_run(stages).contains("slim ink"));
+  ASSERT_FALSE(stages.slim.mask.data.empty());
+  slim.reach = 0.4;
+  rerun_stages(stages, image, slim, {});
+  EXPECT_FALSE(stages_run(stages).contains("slim ink"));
+  EXPECT_TRUE(stages_run(stages).contains("band"));
+  expect_same(stages, run_stages(image, slim, {}));
 }
 
 TEST(Rerun, RunsOnlyWhatComesAfterTheChange) {

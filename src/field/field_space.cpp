@@ -32,8 +32,10 @@ FieldSpace coarse_space(const BandMesh& mesh) {
         if (of_v[at(a)] == of_w[at(b)]) same.unite(2 * v + a, 2 * w + b);
   };
   for (int v = 0; v < mesh.vertex_count(); ++v) unite_equal(v, v);
-  for (const auto& face : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) unite_equal(face[k], face[(k + 1) % 3]);
+  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
+    const auto& face = mesh.faces[at(face_of(h))];
+    if (mesh.twins[at(h)] < h) unite_equal(face[at(h % 3)], face[at(next_halfedge(h) % 3)]);
+  }
   FieldSpace space;
   std::vector<int> number(2 * mesh.points.size(), -1);
   const auto node = [&](int use) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "base/sample.h"
 
 namespace inkgrid {
@@ -17,6 +18,10 @@ constexpr double kAlignment = 1.0;           // per px of rim, over the stroke w
 constexpr double kSmoothness = 4.0;          // of the Dirichlet energy
 constexpr double kOrthogonality = 0.2;       // per unit of weight, times area over the stroke width squared
 constexpr double kRestOrthogonality = 1e-6;  // keeps the first round definite where a component knows one direction only
+
+constexpr int kBlurredRows = 128;   // at a time
+constexpr int kFacesAtOnce = 2048;  // whose terms are held until they are added in their order
+constexpr int kFacesOfTask = 128;
 
 // Blur that makes gradients of staircase edges point across the stroke.
 double blur_radius(double stroke_width) {
@@ -59,13 +64,12 @@ struct BlurredRow {
   }
 };
 
-Raster<float> blurred(const Raster<float>& in, double sigma) {
-  const auto kernel = gaussian_kernel(sigma);
+// Rows top .. bottom - 1.
+void blur_rows(const Raster<float>& in, const std::vector<float>& kernel, int top, int bottom, Raster<float>& out) {
   const int r = static_cast<int>(kernel.size() / 2);
-  Raster<float> out(in.width, in.height);
   std::vector<BlurredRow> rows(kernel.size());  // of each in turn
-  for (int y = 0; y < std::min(r, in.height); ++y) rows[at(y)].blur(in, y, kernel);
-  for (int y = 0; y < in.height; ++y) {
+  for (int y = std::max(0, top - r); y < std::min(top + r, in.height); ++y) rows[at(y) % rows.size()].blur(in, y, kernel);
+  for (int y = top; y < bottom; ++y) {
     if (y + r < in.height) rows[at(y + r) % rows.size()].blur(in, y + r, kernel);
     for (int k = -r; k <= r; ++k) {
       const BlurredRow& from = rows[at(std::clamp(y + k, 0, in.height - 1)) % rows.size()];
@@ -73,6 +77,12 @@ Raster<float> blurred(const Raster<float>& in, double sigma) {
       for (int x = from.first; x < from.end; ++x) out(x, y) += weight * from.values[at(x)];
     }
   }
+}
+
+Raster<float> blurred(const Raster<float>& in, double sigma, int threads) {
+  const auto kernel = gaussian_kernel(sigma);
+  Raster<float> out(in.width, in.height);
+  for_ranges(threads, in.height, kBlurredRows, [&](int top, int bottom) { blur_rows(in, kernel, top, bottom, out); });
   return out;
 }
 
@@ -109,6 +119,7 @@ struct FaceNodes {
   std::array<int, 6> node;
   std::array<std::array<double, 6>, 3> share = {};  // [corner][place of the node]
 
+  FaceNodes() = default;
   FaceNodes(const BandMesh& mesh, const FieldSpace& space, std::size_t f) {
     for (std::size_t k = 0; k < 3; ++k)
       for (const int n : space.nodes[at(mesh.faces[f][k])]) share[k][place_of(n)] += 0.5;
@@ -134,7 +145,7 @@ struct FaceSystem {
   std::array<std::array<Block, 6>, 6> matrix;  // [row][column], row >= column
   std::array<ComplexPair, 6> right;
 
-  explicit FaceSystem(int count) {
+  void clear(int count) {
     for (std::size_t i = 0; i < at(count); ++i) {
       std::fill_n(matrix[i].begin(), i + 1, Block{});
       right[i] = {};
@@ -177,6 +188,35 @@ void add_alignment(const std::array<Vec2, 3>& p, const Raster<float>& darkness, 
   });
 }
 
+// What one face adds to the system.
+struct FaceTerms {
+  FaceNodes nodes;
+  FaceSystem part;
+
+  void collect(const BandMesh& mesh, const FieldSpace& space, std::size_t f, const Raster<float>& darkness, double stroke_width) {
+    const auto p = corners(mesh, f);
+    nodes = FaceNodes(mesh, space, f);
+    part.clear(nodes.count);
+    add_smoothness(p, nodes, part);
+    add_alignment(p, darkness, stroke_width, nodes, part);
+  }
+
+  void add_to(FieldSystem& system) const {
+    for (int i = 0; i < nodes.count; ++i) {
+      const int row = nodes.node[at(i)];
+      system.right[at(row)] += part.right[at(i)];
+      for (int j = 0; j <= i; ++j) system.matrix.add(row, nodes.node[at(j)], part.matrix[at(i)][at(j)]);
+    }
+  }
+};
+
+void add_orthogonality(const BandMesh& mesh, std::size_t f, double stroke_width, FieldSystem& system) {
+  const auto p = corners(mesh, f);
+  const double unit = stroke_width * static_cast<double>(mesh.scale[f]);
+  const double third = cross(p[1] - p[0], p[2] - p[0]) / 6 / (unit * unit);
+  for (const int v : mesh.faces[f]) system.orthogonality[at(v)] += kOrthogonality * third;
+}
+
 std::vector<std::array<int, 2>> edges_between_nodes(const BandMesh& mesh, const FieldSpace& space) {
   std::vector<std::array<int, 2>> edges;
   edges.reserve(3 * mesh.faces.size());
@@ -190,24 +230,20 @@ std::vector<std::array<int, 2>> edges_between_nodes(const BandMesh& mesh, const 
 
 }  // namespace
 
-FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink) {
+FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink, int threads) {
   FieldSystem system{{space.size, edges_between_nodes(mesh, space)},
                      std::vector<ComplexPair>(at(space.size)),
                      std::vector<double>(mesh.points.size(), 0.0)};
-  const Raster<float> darkness = blurred(ink.darkness, blur_radius(ink.stroke_width));
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto p = corners(mesh, f);
-    const double unit = ink.stroke_width * static_cast<double>(mesh.scale[f]);
-    const double third = cross(p[1] - p[0], p[2] - p[0]) / 6 / (unit * unit);
-    for (const int v : mesh.faces[f]) system.orthogonality[at(v)] += kOrthogonality * third;
-    const FaceNodes nodes(mesh, space, f);
-    FaceSystem part(nodes.count);
-    add_smoothness(p, nodes, part);
-    add_alignment(p, darkness, ink.stroke_width, nodes, part);
-    for (int i = 0; i < nodes.count; ++i) {
-      const int row = nodes.node[at(i)];
-      system.right[at(row)] += part.right[at(i)];
-      for (int j = 0; j <= i; ++j) system.matrix.add(row, nodes.node[at(j)], part.matrix[at(i)][at(j)]);
+  const Raster<float> darkness = blurred(ink.darkness, blur_radius(ink.stroke_width), threads);
+  std::vector<FaceTerms> terms(at(std::min(kFacesAtOnce, mesh.face_count())));
+  for (int first = 0; first < mesh.face_count(); first += kFacesAtOnce) {
+    const int count = std::min(kFacesAtOnce, mesh.face_count() - first);
+    for_ranges(threads, count, kFacesOfTask, [&](int from, int end) {
+      for (int k = from; k < end; ++k) terms[at(k)].collect(mesh, space, at(first + k), darkness, ink.stroke_width);
+    });
+    for (int k = 0; k < count; ++k) {
+      terms[at(k)].add_to(system);
+      add_orthogonality(mesh, at(first + k), ink.stroke_width, system);
     }
   }
   for (int v = 0; v < mesh.vertex_count(); ++v)

@@ -20,6 +20,7 @@ struct FieldSystem {
   std::vector<double> orthogonality;  // per vertex: weight of |c2|^2 there, for each round in which its frame is degenerate
 };
 
-FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink);
+// The same for any number of threads.
+FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink, int threads = 1);
 
 }  // namespace inkgrid

@@ -140,7 +140,7 @@ FrameField solve_field(const BandMesh& mesh, const Ink& ink, const FieldOptions&
   FrameField field{std::vector<Complex>(n), std::vector<Complex>(n)};
   if (n == 0) return field;
   const FieldSpace space = coarse_space(mesh);
-  const FieldSystem system = assemble_field(mesh, space, ink);
+  const FieldSystem system = assemble_field(mesh, space, ink, options.threads);
   const Degeneracy degeneracy(options);
   for (ReweightedSystem reweighted(system, options.threads);; ++field.rounds) {
     if (control.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "base/sample.h"
 #include "base/union_find.h"
 
@@ -17,6 +18,8 @@ constexpr double kLatticeTurn = 0.2617 * std::numbers::sqrt2;
 
 // Slits of paper narrower than this times twice the reach are no holes of the band: each would cost a cut.
 constexpr double kFilledHole = 1.25;
+
+constexpr int kRowsAtOnce = 32;  // of the lattice
 
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
@@ -135,8 +138,7 @@ class Refinement {
   // The triangles of the lattice whose barycentre is within reach, with hanging points on their sides closed by bisection.
   std::vector<LatticeTriangle> triangles() const {
     const Lattice lattice(side_, ink_.origin);
-    std::vector<LatticeTriangle> leaves;
-    for_each_root(lattice, [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, leaves); });
+    std::vector<LatticeTriangle> leaves = leaves_of(lattice);
     if (levels_ == 0) return leaves;
     leaves = conforming(leaves);
     std::erase_if(leaves, [&](const LatticeTriangle& t) { return !in_band(lattice.barycentre(t)); });
@@ -154,35 +156,62 @@ class Refinement {
   }
 
  private:
-  template <class Visit>
-  void for_each_root(const Lattice& lattice, Visit visit) const {
-    const int step = 1 << levels_;
-    const double w = ink_.width(), h = ink_.height();
+  // The image in lattice coordinates.
+  struct Extent {
     Vec2 low{1e30, 1e30}, high{-1e30, -1e30};
+  };
+
+  Extent extent_on(const Lattice& lattice) const {
+    const double w = ink_.width(), h = ink_.height();
+    Extent extent;
     for (const Vec2 corner : {Vec2{0, 0}, Vec2{w, 0}, Vec2{0, h}, Vec2{w, h}}) {
       const Vec2 c = lattice.coordinates(corner);
-      low = {std::min(low.x, c.x), std::min(low.y, c.y)};
-      high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+      extent.low = {std::min(extent.low.x, c.x), std::min(extent.low.y, c.y)};
+      extent.high = {std::max(extent.high.x, c.x), std::max(extent.high.y, c.y)};
     }
-    const auto floor_step = [&](double v) { return static_cast<int>(std::floor(v / step)) * step; };
-    for (int j = floor_step(low.y) - step; j <= high.y; j += step) {
-      // Only the part of the row that meets the image, with a margin of some cells.
-      double first = high.x, last = low.x;
-      for (const int jj : {j, j + step})
-        for (const double y : {0.0, h}) {
-          const double i = (y + lattice.origin.y - jj * lattice.across.y) / lattice.along.y;
-          first = std::min(first, i);
-          last = std::max(last, i);
-        }
-      const double margin = 3.0 * step;
-      double left = low.x, right = high.x;
-      left = std::max(left, first - margin);
-      right = std::min(right, last + margin);
-      for (int i = floor_step(left) - step; i <= right; i += step) {
-        visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
-        visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
-        i += step * clear_cells(lattice.at({i, j}), step);
+    return extent;
+  }
+
+  // The largest multiple of the side of roots that is no more.
+  int root_below(double v) const {
+    const int step = 1 << levels_;
+    return static_cast<int>(std::floor(v / step)) * step;
+  }
+
+  // Row by row, from the coarsest triangles down.
+  std::vector<LatticeTriangle> leaves_of(const Lattice& lattice) const {
+    const Extent extent = extent_on(lattice);
+    const int step = 1 << levels_, first_row = root_below(extent.low.y) - step;
+    const int rows = std::max(0, static_cast<int>(std::floor((extent.high.y - first_row) / step)) + 1);
+    std::vector<std::vector<LatticeTriangle>> strips(at((rows + kRowsAtOnce - 1) / kRowsAtOnce));
+    for_ranges(options_.threads, rows, kRowsAtOnce, [&](int first, int last) {
+      auto& strip = strips[at(first / kRowsAtOnce)];
+      for (int row = first; row < last; ++row)
+        for_each_root(lattice, extent, first_row + row * step,
+                      [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, strip); });
+    });
+    std::vector<LatticeTriangle> leaves;
+    for (const auto& strip : strips) leaves.insert(leaves.end(), strip.begin(), strip.end());
+    return leaves;
+  }
+
+  // Of row j, only the part that meets the image, with a margin of some cells.
+  template <class Visit>
+  void for_each_root(const Lattice& lattice, const Extent& extent, int j, Visit visit) const {
+    const int step = 1 << levels_;
+    double first = extent.high.x, last = extent.low.x;
+    for (const int jj : {j, j + step})
+      for (const double y : {0.0, static_cast<double>(ink_.height())}) {
+        const double i = (y + lattice.origin.y - jj * lattice.across.y) / lattice.along.y;
+        first = std::min(first, i);
+        last = std::max(last, i);
       }
+    const double margin = 3.0 * step, left = std::max(extent.low.x, first - margin),
+                 right = std::min(extent.high.x, last + margin);
+    for (int i = root_below(left) - step; i <= right; i += step) {
+      visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
+      visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
+      i += step * clear_cells(lattice.at({i, j}), step);
     }
   }
 
@@ -279,33 +308,35 @@ class Refinement {
   double finest_ = 1;
 };
 
-// Sorts items by an integer key, stably.
-template <class Key>
-std::vector<int> sorted_by(const std::vector<int>& items, Key key) {
+// Sorts items by the integer key of each, stably.
+std::vector<int> sorted_by(const std::vector<int>& keys, const std::vector<int>& items) {
   if (items.empty()) return {};
-  int low = key(items[0]), high = low;
-  for (const int item : items) {
-    low = std::min(low, key(item));
-    high = std::max(high, key(item));
-  }
-  std::vector<int> next(static_cast<std::size_t>(high - low) + 2, 0);
-  for (const int item : items) ++next[at(key(item) - low) + 1];
+  const auto [low, high] = std::minmax_element(keys.begin(), keys.end());
+  std::vector<int> next(at(*high - *low) + 2, 0);
+  for (const int item : items) ++next[at(keys[at(item)] - *low) + 1];
   for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
   std::vector<int> sorted(items.size());
-  for (const int item : items) sorted[at(next[at(key(item) - low)]++)] = item;
+  for (const int item : items) sorted[at(next[at(keys[at(item)] - *low)]++)] = item;
   return sorted;
+}
+
+std::vector<int> numbers_below(std::size_t count) {
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
 }
 
 // Numbers the lattice points that are used, in lattice order.
 void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice& lattice, BandMesh& mesh) {
-  const auto point = [&](int corner) { return triangles[at(corner / 3)][at(corner % 3)]; };
-  std::vector<int> corners(3 * triangles.size());
-  std::iota(corners.begin(), corners.end(), 0);
-  corners = sorted_by(corners, [&](int c) { return point(c).i; });
-  corners = sorted_by(corners, [&](int c) { return point(c).j; });
+  std::vector<int> i, j;  // per corner
+  i.reserve(3 * triangles.size());
+  j.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles)
+    for (const LatticePoint p : triangle) i.push_back(p.i), j.push_back(p.j);
   mesh.faces.resize(triangles.size());
-  for (const int c : corners) {
-    if (mesh.lattice.empty() || !(mesh.lattice.back() == point(c))) mesh.lattice.push_back(point(c));
+  for (const int c : sorted_by(j, sorted_by(i, numbers_below(i.size())))) {
+    const LatticePoint p{i[at(c)], j[at(c)]};
+    if (mesh.lattice.empty() || !(mesh.lattice.back() == p)) mesh.lattice.push_back(p);
     mesh.faces[at(c / 3)][at(c % 3)] = static_cast<int>(mesh.lattice.size()) - 1;
   }
   mesh.points.reserve(mesh.lattice.size());
@@ -313,51 +344,59 @@ void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice&
 }
 
 void link_twins(BandMesh& mesh) {
-  const auto ends = [&](int h) {
-    const auto& t = mesh.faces[at(face_of(h))];
-    return std::minmax(t[at(h % 3)], t[at((h + 1) % 3)]);
-  };
-  std::vector<int> halfedges(3 * mesh.faces.size());
-  std::iota(halfedges.begin(), halfedges.end(), 0);
-  halfedges = sorted_by(halfedges, [&](int h) { return ends(h).first; });
+  std::vector<int> low, high;  // ends of each halfedge
+  low.reserve(3 * mesh.faces.size());
+  high.reserve(3 * mesh.faces.size());
+  for (const auto& t : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, second] = std::minmax(t[k], t[k == 2 ? 0 : k + 1]);
+      low.push_back(first), high.push_back(second);
+    }
+  const std::vector<int> halfedges = sorted_by(low, numbers_below(low.size()));
   mesh.twins.assign(halfedges.size(), -1);
   // At most two halfedges join two points, and few start at one.
-  for (std::size_t k = 0; k < halfedges.size(); ++k)
-    for (std::size_t l = k + 1; l < halfedges.size() && ends(halfedges[l]).first == ends(halfedges[k]).first; ++l) {
-      if (ends(halfedges[l]).second != ends(halfedges[k]).second) continue;
-      mesh.twins[at(halfedges[k])] = halfedges[l];
-      mesh.twins[at(halfedges[l])] = halfedges[k];
+  for (std::size_t k = 0; k < halfedges.size(); ++k) {
+    const int h = halfedges[k];
+    for (std::size_t l = k + 1; l < halfedges.size() && low[at(halfedges[l])] == low[at(h)]; ++l) {
+      if (high[at(halfedges[l])] != high[at(h)]) continue;
+      mesh.twins[at(h)] = halfedges[l];
+      mesh.twins[at(halfedges[l])] = h;
+      break;
     }
+  }
+}
+
+// Calls visit(corner) for the corners of a fan of faces around a point, from one of them on.
+template <class Visit>
+void for_each_of_fan(const std::vector<int>& twins, int corner, const Visit& visit) {
+  int c = corner;
+  do {
+    visit(c);
+    const int twin = twins[at(c)];
+    c = twin < 0 ? -1 : next_halfedge(twin);
+  } while (c >= 0 && c != corner);
+  if (c == corner) return;
+  // The other way round from where the first ended at the rim.
+  for (int h = twins[at(previous_halfedge(corner))]; h >= 0; h = twins[at(previous_halfedge(h))]) visit(h);
 }
 
 // Gives each fan of faces around a point a vertex of its own.
 void split_touching_vertices(BandMesh& mesh) {
-  UnionFind fans(3 * mesh.face_count());
-  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int twin = mesh.twins[at(h)];
-    if (twin < 0) continue;
-    fans.unite(h, next_halfedge(twin));
-    fans.unite(next_halfedge(h), twin);
-  }
-  std::vector<int> fan_of_point(mesh.points.size(), -1);
-  std::vector<int> vertex_of_fan(3 * mesh.faces.size(), -1);
-  for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    int& vertex = mesh.faces[at(face_of(h))][at(h % 3)];
-    const int fan = fans.find(h);
-    int& assigned = vertex_of_fan[at(fan)];
-    if (assigned < 0) {
-      int& first = fan_of_point[at(vertex)];
-      if (first < 0) {
-        first = fan;
-        assigned = vertex;
-      } else {
-        assigned = mesh.vertex_count();
-        mesh.points.push_back(mesh.points[at(vertex)]);
-        mesh.lattice.push_back(mesh.lattice[at(vertex)]);
-        fan_of_point.push_back(fan);
-      }
+  std::vector<std::uint8_t> has_fan(mesh.points.size(), 0), done(3 * mesh.faces.size(), 0);
+  for (int corner = 0; corner < 3 * mesh.face_count(); ++corner) {
+    if (done[at(corner)]) continue;
+    int vertex = mesh.faces[at(face_of(corner))][at(corner % 3)];
+    if (has_fan[at(vertex)]) {
+      mesh.points.push_back(mesh.points[at(vertex)]);
+      mesh.lattice.push_back(mesh.lattice[at(vertex)]);
+      vertex = mesh.vertex_count() - 1;
+      has_fan.push_back(0);
     }
-    vertex = assigned;
+    has_fan[at(vertex)] = 1;
+    for_each_of_fan(mesh.twins, corner, [&](int c) {
+      done[at(c)] = 1;
+      mesh.faces[at(face_of(c))][at(c % 3)] = vertex;
+    });
   }
 }
 

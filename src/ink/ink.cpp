@@ -122,6 +122,30 @@ Raster<Distance> column_distance(const Raster<std::uint8_t>& mask, Distance most
   return distance;
 }
 
+// Calls visit(first, end) for the blocks of a row of which any(value) holds somewhere, and skip(first, end) for the others.
+template <class Value, class Any, class Visit, class Skip>
+void for_each_block(const Value* row, int width, const Any& any, const Visit& visit, const Skip& skip) {
+  constexpr int kBlock = 64;
+  for (int first = 0; first < width; first += kBlock) {
+    const int end = std::min(width, first + kBlock);
+    int count = 0;
+    for (int x = first; x < end; ++x) count += any(row[x]);
+    count > 0 ? visit(first, end) : skip(first, end);
+  }
+}
+
+// Calls visit(x) where a row of a mask is set; most of it is not.
+template <class Visit>
+void for_each_set(const std::uint8_t* row, int width, const Visit& visit) {
+  for_each_block(
+      row, width, [](std::uint8_t value) { return value != 0; },
+      [&](int first, int end) {
+        for (int x = first; x < end; ++x)
+          if (row[x]) visit(x);
+      },
+      [](int, int) {});
+}
+
 // Calls visit(x, y) for the pixels within `radius` (Euclidean, between centres) of one of `value`, or for those that are not: in
 // each row, the union of the chords of the discs.  A strip at a time, so that the distances of few rows are held at once; strips
 // may be visited at the same time.
@@ -139,16 +163,28 @@ void for_each_within(const Raster<std::uint8_t>& mask, std::uint8_t value, doubl
     const auto distance = column_distance(strip, static_cast<std::uint16_t>(reach + 1));
     for (int y = top; y < bottom; ++y) {
       std::fill(change.begin(), change.end(), 0);
-      for (int x = 0; x < w; ++x) {
-        const int away = distance(x, y - first);
-        if (away > reach) continue;
-        const int half = half_chord[at(away)];
-        ++change[at(std::max(0, x - half))];
-        --change[at(std::min(w, x + half + 1))];
-      }
+      const std::uint16_t* const away = &distance(0, y - first);
+      const auto add_chords = [&](int from, int end) {
+        for (int x = from; x < end; ++x) {
+          if (away[x] > reach) continue;
+          const int half = half_chord[away[x]];
+          ++change[at(std::max(0, x - half))];
+          --change[at(std::min(w, x + half + 1))];
+        }
+      };
+      for_each_block(
+          away, w, [&](std::uint16_t d) { return d <= reach; }, add_chords, [](int, int) {});
       int chords = 0;
-      for (int x = 0; x < w; ++x)
-        if (((chords += change[at(x)]) > 0) == within) visit(x, y);
+      const auto visit_changing = [&](int from, int end) {
+        for (int x = from; x < end; ++x)
+          if (((chords += change[at(x)]) > 0) == within) visit(x, y);
+      };
+      const auto visit_even = [&](int from, int end) {
+        if ((chords > 0) != within) return;
+        for (int x = from; x < end; ++x) visit(x, y);
+      };
+      for_each_block(
+          change.data(), w, [](int c) { return c != 0; }, visit_changing, visit_even);
     }
   };
   for_ranges(threads, mask.height, std::max(kStrip, 4 * reach), visit_strip);
@@ -220,16 +256,19 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads) {
   const int w = ink.width(), h = ink.height(), margin = static_cast<int>(std::ceil(radius)) + 1;
   // What lies on the border goes on beyond it, ink and paper alike.
   Raster<std::uint8_t> extended(w + 2 * margin, h + 2 * margin);
-  for (int y = 0; y < extended.height; ++y)
-    for (int x = 0; x < extended.width; ++x)
-      if (ink.mask(std::clamp(x - margin, 0, w - 1), std::clamp(y - margin, 0, h - 1))) extended(x, y) = 1;
+  for (int y = 0; y < extended.height; ++y) {
+    const std::uint8_t* const row = &ink.mask(0, std::clamp(y - margin, 0, h - 1));
+    std::uint8_t* const wider = &extended(0, y);
+    for_each_set(row, w, [&](int x) { wider[x + margin] = 1; });
+    if (row[0]) std::fill_n(wider, margin, std::uint8_t{1});
+    if (row[w - 1]) std::fill_n(wider + margin + w, margin, std::uint8_t{1});
+  }
   Raster<std::uint8_t> wide(extended.width, extended.height), closed(w, h);
   for_each_within(extended, 1, radius, true, threads, [&](int x, int y) { wide(x, y) = 1; });
   for_each_within(wide, 0, radius, false, threads, [&](int x, int y) {
     if (closed.contains(x - margin, y - margin)) closed(x - margin, y - margin) = 1;
   });
-  for (std::size_t i = 0; i < closed.data.size(); ++i)
-    if (ink.mask.data[i]) closed.data[i] = 1;
+  for (int y = 0; y < h; ++y) for_each_set(&ink.mask(0, y), w, [&](int x) { closed(x, y) = 1; });
   return closed;
 }
 

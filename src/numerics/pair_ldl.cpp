@@ -9,8 +9,20 @@
 #include "inkgrid/inkgrid.h"
 #include "numerics/ordering.h"
 
+// Compiled for registers of four numbers too, which are used where the processor has them; each number is computed in the same
+// way.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define INKGRID_WIDE_TOO __attribute__((target_clones("avx2", "default")))
+#else
+#define INKGRID_WIDE_TOO
+#endif
+
 namespace inkgrid {
 namespace {
+
+// Two and four numbers in a row.
+using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
+using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 // A pivot's smaller eigenvalue must exceed this part of the diagonal block's trace: rounding errors are smaller.
 constexpr double kPivotTolerance = 1e-14;
@@ -31,6 +43,17 @@ void subtract_product(Block& sum, const Block& x, const Block& y) {
   sum.b -= x.a * y.b + x.b * y.d;
   sum.c -= x.c * y.a + x.d * y.c;
   sum.d -= x.c * y.b + x.d * y.d;
+}
+
+// row[places[e]] -= term blocks[e].  Block by block as a whole, so that its numbers fit a register.
+INKGRID_WIDE_TOO void subtract_products(Block* row, const int* places, const Block* blocks, int count, const Block& term) {
+  const Block x = term;
+  for (int e = 0; e < count; ++e) {
+    const Block y = blocks[e];
+    Block sum = row[places[e]];
+    subtract_product(sum, x, y);
+    row[places[e]] = sum;
+  }
 }
 
 double determinant(const Block& x) {
@@ -204,8 +227,8 @@ class Elimination {
   // From row k, which gets its entry in column i.
   void subtract_column(int i, int k) {
     const Block term = std::exchange(row_[at(i)], {});
-    for (int e = plan_.starts[at(i)]; e < ends_[at(i)]; ++e)
-      subtract_product(row_[at(factor_.rows[at(e)])], term, factor_.blocks[at(e)]);
+    const int first = plan_.starts[at(i)];
+    subtract_products(row_.data(), factor_.rows.data() + first, factor_.blocks.data() + first, ends_[at(i)] - first, term);
     const Block entry = product(term, factor_.inverse_pivots[at(i)]);
     subtract_product(pivots_[at(k)], entry, transposed(term));
     factor_.rows[at(ends_[at(i)])] = k;
@@ -261,16 +284,34 @@ void PairMatrix::add(int i, int j, const Block& block) {
   blocks_[at(k)] += i > j ? block : transposed(block);
 }
 
+namespace {
+
+// y += the lower triangle, its transpose and the diagonal, times x.
+INKGRID_WIDE_TOO void add_products(const PairMatrix& matrix, const ComplexPair* vector, ComplexPair* image) {
+  const int* const starts = matrix.starts().data();
+  const int* const rows = matrix.rows().data();
+  const Four* const blocks = reinterpret_cast<const Four*>(matrix.blocks().data());
+  const Four* const x = reinterpret_cast<const Four*>(vector);
+  Four* const y = reinterpret_cast<Four*>(image);
+  for (int j = 0; j < matrix.size(); ++j) {
+    const Four xj = x[j], p = __builtin_shufflevector(xj, xj, 0, 1, 0, 1), q = __builtin_shufflevector(xj, xj, 2, 3, 2, 3);
+    ComplexPair own = product(matrix.diagonal()[at(j)], vector[j]);
+    Four sum = *reinterpret_cast<const Four*>(&own);
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      const Four block = blocks[k], v = x[rows[k]];
+      y[rows[k]] += __builtin_shufflevector(block, block, 0, 0, 2, 2) * p + __builtin_shufflevector(block, block, 1, 1, 3, 3) * q;
+      sum += __builtin_shufflevector(block, block, 0, 0, 1, 1) * __builtin_shufflevector(v, v, 0, 1, 0, 1) +
+             __builtin_shufflevector(block, block, 2, 2, 3, 3) * __builtin_shufflevector(v, v, 2, 3, 2, 3);
+    }
+    y[j] += sum;
+  }
+}
+
+}  // namespace
+
 std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) const {
   std::vector<ComplexPair> y(x.size());
-  for (int j = 0; j < size(); ++j) {
-    ComplexPair sum = product(diagonal_[at(j)], x[at(j)]);
-    for (int k = starts_[at(j)]; k < starts_[at(j) + 1]; ++k) {
-      y[at(rows_[at(k)])] += product(blocks_[at(k)], x[at(j)]);
-      sum += product(transposed(blocks_[at(k)]), x[at(rows_[at(k)])]);
-    }
-    y[at(j)] += sum;
-  }
+  add_products(*this, x.data(), y.data());
   return y;
 }
 
@@ -286,21 +327,67 @@ PairLdl::PairLdl(const PairMatrix& matrix, EliminationPlan plan, int threads)
   inverse_pivots_ = std::move(factor.inverse_pivots);
 }
 
+namespace {
+
+// The factor as arrays, of which passes over it are compiled more than once.
+struct FactorArrays {
+  int size;
+  const int* starts;
+  const int* rows;
+  const Block* blocks;
+  const Block* inverse_pivots;
+};
+
+// From here on numbers of a block or of a pair go through registers together: a block is {a, b, c, d}, and {a, b} with {c, d}.
+INKGRID_WIDE_TOO void solve_pairs(FactorArrays factor, RealPair* pairs) {
+  Two* const y = reinterpret_cast<Two*>(pairs);
+  const Two* const blocks = reinterpret_cast<const Two*>(factor.blocks);
+  for (int k = 0; k < factor.size; ++k) {
+    const Two yk = y[k], p = {yk[0], yk[0]}, q = {yk[1], yk[1]};
+    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) y[factor.rows[e]] -= blocks[2 * e] * p + blocks[2 * e + 1] * q;
+  }
+  for (int k = factor.size - 1; k >= 0; --k) {
+    const RealPair pivoted = product(factor.inverse_pivots[k], pairs[k]);
+    Two yk = {pivoted.p, pivoted.q};
+    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) {
+      const Two above = blocks[2 * e], below = blocks[2 * e + 1], v = y[factor.rows[e]];
+      yk -= __builtin_shufflevector(above, below, 0, 2) * v[0] + __builtin_shufflevector(above, below, 1, 3) * v[1];
+    }
+    y[k] = yk;
+  }
+}
+
+INKGRID_WIDE_TOO void solve_pairs(FactorArrays factor, ComplexPair* pairs) {
+  Four* const y = reinterpret_cast<Four*>(pairs);
+  const Four* const blocks = reinterpret_cast<const Four*>(factor.blocks);
+  for (int k = 0; k < factor.size; ++k) {
+    const Four yk = y[k], p = __builtin_shufflevector(yk, yk, 0, 1, 0, 1), q = __builtin_shufflevector(yk, yk, 2, 3, 2, 3);
+    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) {
+      const Four block = blocks[e];
+      y[factor.rows[e]] -=
+          __builtin_shufflevector(block, block, 0, 0, 1, 1) * p + __builtin_shufflevector(block, block, 2, 2, 3, 3) * q;
+    }
+  }
+  for (int k = factor.size - 1; k >= 0; --k) {
+    pairs[k] = product(factor.inverse_pivots[k], pairs[k]);
+    Four yk = y[k];
+    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) {
+      const Four block = blocks[e], v = y[factor.rows[e]];
+      yk -= __builtin_shufflevector(block, block, 0, 0, 2, 2) * __builtin_shufflevector(v, v, 0, 1, 0, 1) +
+            __builtin_shufflevector(block, block, 1, 1, 3, 3) * __builtin_shufflevector(v, v, 2, 3, 2, 3);
+    }
+    y[k] = yk;
+  }
+}
+
+}  // namespace
+
 template <class Scalar>
 std::vector<Pair<Scalar>> PairLdl::solve(const std::vector<Pair<Scalar>>& right) const {
   const int size = static_cast<int>(plan_.places.size());
   std::vector<Pair<Scalar>> y(right.size());
   for (int i = 0; i < size; ++i) y[at(plan_.places[at(i)])] = right[at(i)];
-  for (int k = 0; k < size; ++k) {
-    const Pair<Scalar> yk = y[at(k)];
-    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e)
-      y[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
-  }
-  for (int k = size - 1; k >= 0; --k) {
-    Pair<Scalar> yk = product(inverse_pivots_[at(k)], y[at(k)]);
-    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e) yk -= product(blocks_[at(e)], y[at(rows_[at(e)])]);
-    y[at(k)] = yk;
-  }
+  solve_pairs({size, plan_.starts.data(), rows_.data(), blocks_.data(), inverse_pivots_.data()}, y.data());
   std::vector<Pair<Scalar>> x(right.size());
   for (int i = 0; i < size; ++i) x[at(i)] = y[at(plan_.places[at(i)])];
   return x;

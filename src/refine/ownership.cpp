@@ -1,5 +1,6 @@
 #include "refine/ownership.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -8,17 +9,36 @@
 
 namespace inkgrid {
 
+namespace {
+
+// Calls visit(x) for the places of a row where the distance to the ink is at most `farthest`; it is more nearly everywhere.
+template <class Visit>
+void for_each_near(const float* gaps, int width, float farthest, const Visit& visit) {
+  constexpr int kBlock = 16;
+  for (int first = 0; first < width; first += kBlock) {
+    const int end = std::min(width, first + kBlock);
+    int near = 0;
+    if (end - first == kBlock)
+      for (int k = 0; k < kBlock; ++k) near += gaps[first + k] <= farthest;
+    else
+      near = 1;
+    for (int x = first; x < end && near > 0; ++x)
+      if (gaps[x] <= farthest) visit(x);
+  }
+}
+
+}  // namespace
+
 InkBand::InkBand(const Ink& ink, double reach) : numbers_(ink.width() + 2, ink.height() + 2) {
   const auto farthest = static_cast<float>(reach);
   const int width = ink.width();
   for (int y = 0; y < ink.height(); ++y) {
     const float* const gaps = &ink.gap(0, y);
     const std::size_t row = numbers_.place(1, y + 1);
-    for (int x = 0; x < width; ++x) {
-      if (gaps[x] > farthest) continue;
+    for_each_near(gaps, width, farthest, [&](int x) {
       numbers_.set(row + static_cast<std::size_t>(x), static_cast<int>(pixels_.size()));
       pixels_.push_back({x, y});
-    }
+    });
   }
 }
 
