@@ -4,8 +4,8 @@
 //
 //   bench_rerun [--scribbles N] [--seed S] [--threads N] DRAWING...
 //
-// Processor seconds of one thread; with more threads, seconds of the clock.  Each scribble is drawn on ink, alone, on the drawing
-// as it was without; "local" are those that were solved with their surroundings kept.
+// Seconds of the clock and of the processors.  Each scribble is drawn on ink, alone, on the drawing as it was without; "local"
+// are those that were solved with their surroundings kept.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -29,24 +29,54 @@ namespace {
 
 constexpr double kRadius = 10, kStep = 8;  // px
 constexpr int kSteps = 12;
+constexpr int kRepeats = 5;  // of a run and of a change of an option, of which the median counts
 
-clockid_t used_clock = CLOCK_THREAD_CPUTIME_ID;
+// Seconds.
+struct Times {
+  double clock, processors;
 
-double seconds() {
-  timespec now;
-  clock_gettime(used_clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  friend Times operator-(const Times& a, const Times& b) { return {a.clock - b.clock, a.processors - b.processors}; }
+};
+
+Times now() {
+  const auto read = [](clockid_t clock) {
+    timespec time;
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  return {read(CLOCK_MONOTONIC), read(CLOCK_PROCESS_CPUTIME_ID)};
 }
 
-double timed(const std::function<void()>& action) {
-  const double start = seconds();
+Times timed(const std::function<void()>& action) {
+  const Times start = now();
   action();
-  return seconds() - start;
+  return now() - start;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+// The one of that rank of each; both medians by default.
+Times ranked(const std::vector<Times>& times, double rank = 0.5) {
+  const auto of = [&](double Times::*kind) {
+    std::vector<double> values;
+    for (const Times& t : times) values.push_back(t.*kind);
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(rank * static_cast<double>(values.size() - 1))];
+  };
+  return {of(&Times::clock), of(&Times::processors)};
+}
+
+// The median of some turns, each prepared first.
+Times usual_time(const std::function<void()>& prepare, const std::function<void()>& action) {
+  std::vector<Times> times;
+  for (int k = 0; k < kRepeats; ++k) {
+    prepare();
+    times.push_back(timed(action));
+  }
+  return ranked(times);
+}
+
+void print(const char* change, const Times& times, const Times& full) {
+  std::printf("  %-18s %8.3f s  %6.3f of the run; processors %8.3f s  %6.3f", change, times.clock, times.clock / full.clock,
+              times.processors, times.processors / full.processors);
 }
 
 Image read(const char* path) {
@@ -75,9 +105,10 @@ bool is_local(const Stages& stages) {
   return std::all_of(stages.parts.begin(), stages.parts.end(), [](const auto& part) { return part->local; });
 }
 
-void measure_scribbles(const Image& image, const Options& options, const Stages& plain, double full, int count, unsigned seed) {
+void measure_scribbles(const Image& image, const Options& options, const Stages& plain, const Times& full, int count,
+                       unsigned seed) {
   std::mt19937 random(seed);
-  std::vector<double> times;
+  std::vector<Times> times;
   int local = 0;
   for (int k = 0; k < count; ++k) {
     const Scribble scribble = random_scribble(plain.ink, random);
@@ -89,9 +120,9 @@ void measure_scribbles(const Image& image, const Options& options, const Stages&
     times.push_back(timed([&] { rerun_stages(stages, image, options, control); }));
     local += is_local(stages);
   }
-  std::sort(times.begin(), times.end());
-  std::printf("  %-18s %8.3f s  %6.3f of the run  (longest %.3f s, %d of %d local)\n", "scribble", median(times),
-              median(times) / full, times.back(), local, count);
+  print("scribble", ranked(times), full);
+  const Times longest = ranked(times, 1);
+  std::printf("  (longest %.3f s, processors %.3f s; %d of %d local)\n", longest.clock, longest.processors, local, count);
 }
 
 std::string settled_text(const Stages& stages, const OptionRow& row, double factor) {
@@ -100,17 +131,17 @@ std::string settled_text(const Stages& stages, const OptionRow& row, double fact
 }
 
 // As a slider is dragged: the value is given already, and becomes another one.
-void measure_options(const Image& image, const Options& options, const Stages& plain, double full) {
+void measure_options(const Image& image, const Options& options, const Stages& plain, const Times& full) {
   const std::pair<const char*, double> kChanges[] = {{"reach", 1.1}, {"spacing", 1.1}, {"coverage-bins", 2}, {"tolerance", 1.1}};
   for (const auto& [name, factor] : kChanges) {
     const OptionRow& row = option_row(name);
     Options given = options, changed = options;
     set_option(given, row, settled_text(plain, row, 1));
     set_option(changed, row, settled_text(plain, row, factor));
-    Stages stages = plain;
-    rerun_stages(stages, image, given, {});
-    const double time = timed([&] { rerun_stages(stages, image, changed, {}); });
-    std::printf("  %-18s %8.3f s  %6.3f of the run:", name, time, time / full);
+    Stages before = plain, stages;
+    rerun_stages(before, image, given, {});
+    print(name, usual_time([&] { stages = before; }, [&] { rerun_stages(stages, image, changed, {}); }), full);
+    std::printf(":");
     for (const auto& [stage, seconds] : stages.report.seconds)
       if (seconds > 0.001) std::printf(" %s %.3f", stage.c_str(), seconds);
     std::printf("\n");
@@ -121,11 +152,11 @@ void measure(const char* path, int scribbles, unsigned seed, int threads) {
   const Image image = read(path);
   Options options;
   options.threads = threads;
-  if (threads != 1) used_clock = CLOCK_MONOTONIC;
   Stages plain;
-  const double full = timed([&] { plain = run_stages(image, options, {}); });
-  std::printf("%s: %d x %d px, %d curves\n  %-18s %8.3f s\n", path, image.width, image.height, plain.report.curves,
-              "the whole run", full);
+  const Times full = usual_time([] {}, [&] { plain = run_stages(image, options, {}); });
+  std::printf("%s: %d x %d px, %d curves\n", path, image.width, image.height, plain.report.curves);
+  print("the whole run", full, full);
+  std::printf("\n");
   measure_scribbles(image, options, plain, full, scribbles, seed);
   measure_options(image, options, plain, full);
 }

@@ -125,7 +125,8 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
                                    options.field_rounds, options.threads};
   if (first <= Stage::field)
     stages.field = run("frame field", 0.32, [&] { return solve_field(stages.mesh, grid_ink(stages), field_options, control); });
-  if (first <= Stage::charts) stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known); });
+  if (first <= Stage::charts)
+    stages.charts = run("charts", 0.56, [&] { return comb_charts(stages.mesh, stages.field, known, options.threads); });
   report_mesh(stages.mesh, stages.report);
   report_field(stages.field, stages.charts, stages.report);
   release(keep, stages.field);

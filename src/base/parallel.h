@@ -8,6 +8,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -42,6 +43,18 @@ void for_ranges(int threads, int count, int grain, Work work) {
     take_ranges();
   }
   if (error) std::rethrow_exception(error);
+}
+
+// Calls work(i) for 0 .. count - 1 as for_ranges does one by one, where size(i) is largest first: what is begun last keeps
+// the others waiting.
+template <class Size, class Work>
+void for_each_largest_first(int threads, int count, const Size& size, const Work& work) {
+  std::vector<int> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return size(a) > size(b); });
+  for_ranges(threads, count, 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k) work(order[static_cast<std::size_t>(k)]);
+  });
 }
 
 }  // namespace inkgrid

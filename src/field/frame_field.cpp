@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "field/field_system.h"
 
 namespace inkgrid {
@@ -12,6 +14,7 @@ namespace {
 
 constexpr int kMostIterations = 200;  // of a re-weighting round
 constexpr double kResidual = 1e-4;
+constexpr int kVerticesOfTask = 4096;
 
 // i z
 Complex quarter_turned(Complex z) {
@@ -114,14 +117,20 @@ class ReweightedSystem {
   double goal_;
 };
 
-// The coefficients at every vertex.
-void interpolate(const FieldSpace& space, const std::vector<ComplexPair>& x, FrameField& field) {
-  for (std::size_t v = 0; v < space.nodes.size(); ++v) {
-    const ComplexPair &a = x[at(space.nodes[v][0])], &b = x[at(space.nodes[v][1])];
-    const Complex p = 0.5 * (a.p + b.p), turned_q = quarter_turned(0.5 * (a.q + b.q));
-    field.c0[v] = p + turned_q;
-    field.c2[v] = p - turned_q;
-  }
+// The coefficients at every vertex; returns where its frame is degenerate.
+std::vector<std::uint8_t> interpolate(const FieldSpace& space, const std::vector<ComplexPair>& x, const Degeneracy& degeneracy,
+                                      int threads, FrameField& field) {
+  std::vector<std::uint8_t> degenerate(space.nodes.size());
+  for_ranges(threads, static_cast<int>(space.nodes.size()), kVerticesOfTask, [&](int first, int last) {
+    for (auto v = at(first); v < at(last); ++v) {
+      const ComplexPair &a = x[at(space.nodes[v][0])], &b = x[at(space.nodes[v][1])];
+      const Complex p = 0.5 * (a.p + b.p), turned_q = quarter_turned(0.5 * (a.q + b.q));
+      field.c0[v] = p + turned_q;
+      field.c2[v] = p - turned_q;
+      degenerate[v] = degeneracy.holds(frame_of(field.c0[v], field.c2[v]));
+    }
+  });
+  return degenerate;
 }
 
 }  // namespace
@@ -144,14 +153,14 @@ FrameField solve_field(const BandMesh& mesh, const Ink& ink, const FieldOptions&
   const Degeneracy degeneracy(options);
   for (ReweightedSystem reweighted(system, options.threads);; ++field.rounds) {
     if (control.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
-    interpolate(space, reweighted.solution(), field);
-    int degenerate = 0;
+    const auto degenerate = interpolate(space, reweighted.solution(), degeneracy, options.threads, field);
+    std::size_t count = 0;
     for (std::size_t v = 0; v < n; ++v) {
-      if (!degeneracy.holds(frame_of(field.c0[v], field.c2[v]))) continue;
-      ++degenerate;
+      if (!degenerate[v]) continue;
+      ++count;
       for (const int node : space.nodes[v]) reweighted.add_weight(node, 0.5 * system.orthogonality[v]);
     }
-    field.degenerate_fraction = static_cast<double>(degenerate) / static_cast<double>(n);
+    field.degenerate_fraction = static_cast<double>(count) / static_cast<double>(n);
     if (field.degenerate_fraction < options.degenerate_fraction || field.rounds >= options.rounds) return field;
     reweighted.solve();
   }

@@ -385,9 +385,9 @@ Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::v
   const Fitted known(before);
   const int count = static_cast<int>(chains.chains.size());
   std::vector<Curve> curves(chains.chains.size());
-  for_ranges(options.threads, count, 1, [&](int first, int last) {
-    for (int c = first; c < last; ++c) curves[at(c)] = curve_of(chains.chains[at(c)], options, known);
-  });
+  for_each_largest_first(
+      options.threads, count, [&](int c) { return chains.chains[at(c)].points.size(); },
+      [&](int c) { curves[at(c)] = curve_of(chains.chains[at(c)], options, known); });
   Drawing drawing;
   drawing.junctions = chains.junctions;
   std::set<std::uint64_t> ids;

@@ -17,8 +17,12 @@ constexpr std::int64_t kWidestTriangle = 16 * kFixedOne;
 constexpr std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return a / b - (a % b != 0 && (a < 0) != (b < 0));
 }
-constexpr std::int64_t ceil_div(std::int64_t a, std::int64_t b) {
-  return -floor_div(-a, b);
+// The largest grid coordinate that is no more, and the smallest that is no less.
+constexpr std::int64_t floor_grid(std::int64_t a) {
+  return a >> kFixedBits;
+}
+constexpr std::int64_t ceil_grid(std::int64_t a) {
+  return -floor_grid(-a);
 }
 constexpr int sign(std::int64_t a) {
   return (a > 0) - (a < 0);
@@ -49,7 +53,7 @@ struct Range {
 };
 
 Range strictly_between(std::int64_t a, std::int64_t b) {
-  return {floor_div(std::min(a, b), kFixedOne) + 1, ceil_div(std::max(a, b), kFixedOne) - 1};
+  return {floor_grid(std::min(a, b)) + 1, ceil_grid(std::max(a, b)) - 1};
 }
 
 void place_grid_points(IsolineSegment& s) {
@@ -201,7 +205,7 @@ std::int64_t Cutter::cell(int halfedge, Isoline isoline) const {
   const std::int64_t rise = across(uv(q), isoline.family) - across(uv(p), isoline.family);
   const std::int64_t reach = isoline.value * kFixedOne - across(uv(p), isoline.family);
   const std::int64_t start = along(uv(p), isoline.family);
-  const std::int64_t start_cell = floor_div(start, kFixedOne);
+  const std::int64_t start_cell = floor_grid(start);
   const std::int64_t offset = (start - start_cell * kFixedOne) * rise + (along(uv(q), isoline.family) - start) * reach;
   const std::int64_t grid_unit = kFixedOne * rise;
   const std::int64_t found = start_cell + floor_div(offset, grid_unit);
@@ -231,8 +235,8 @@ SegmentEnd Cutter::end_at_corner(int corner, int family) {
   }
   SegmentEnd end;
   end.node = node;
-  end.at_or_below = floor_div(along(uv(corner), family), kFixedOne);
-  end.below = ceil_div(along(uv(corner), family), kFixedOne) - 1;
+  end.at_or_below = floor_grid(along(uv(corner), family));
+  end.below = ceil_grid(along(uv(corner), family)) - 1;
   return end;
 }
 
@@ -272,7 +276,7 @@ void Cutter::cut_face(int face) {
   for (int family = 0; family < 2; ++family) {
     if (family == 1) first_v_segment = static_cast<int>(result_.segments.size());
     const auto [low, high] = extent(face, family);
-    for (std::int64_t k = ceil_div(low, kFixedOne); k <= floor_div(high, kFixedOne); ++k) {
+    for (std::int64_t k = ceil_grid(low); k <= floor_grid(high); ++k) {
       if (const auto segment = cut(face, {family, k})) add_segment(*segment);
     }
   }
@@ -292,6 +296,7 @@ void Cutter::add_segment(const IsolineSegment& segment) {
 // vertices they always agree, also on ties: both say that the grid point is on the same side of all three edges.
 void Cutter::add_grid_nodes(int first_segment, int first_v_segment) {
   const int end = static_cast<int>(result_.segments.size());
+  if (first_segment == end) return;
   const int columns = end - first_v_segment;
   node_table_.assign(static_cast<std::size_t>((first_v_segment - first_segment) * columns), -1);
   for (int i = first_segment; i < first_v_segment; ++i) {

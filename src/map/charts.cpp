@@ -3,10 +3,13 @@
 #include <deque>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "map/known.h"
 
 namespace inkgrid {
 namespace {
+
+constexpr int kFacesOfTask = 1024;
 
 // A combed frame: unit directions with cross(s, t) > 0.
 struct Axes {
@@ -42,17 +45,18 @@ int best_match(const Axes& axes, const Axes& other) {
   return best;
 }
 
-std::vector<Axes> face_axes(const BandMesh& mesh, const FrameField& field) {
-  std::vector<Axes> axes;
-  axes.reserve(mesh.faces.size());
-  for (const auto& t : mesh.faces) {
-    Complex c0 = 0, c2 = 0;
-    for (const int v : t) {
-      c0 += field.c0[at(v)] / 3.0;
-      c2 += field.c2[at(v)] / 3.0;
+std::vector<Axes> face_axes(const BandMesh& mesh, const FrameField& field, int threads) {
+  std::vector<Axes> axes(mesh.faces.size());
+  for_ranges(threads, mesh.face_count(), kFacesOfTask, [&](int first, int last) {
+    for (int f = first; f < last; ++f) {
+      Complex c0 = 0, c2 = 0;
+      for (const int v : mesh.faces[at(f)]) {
+        c0 += field.c0[at(v)] / 3.0;
+        c2 += field.c2[at(v)] / 3.0;
+      }
+      axes[at(f)] = axes_of(frame_of(c0, c2));
     }
-    axes.push_back(axes_of(frame_of(c0, c2)));
-  }
+  });
   return axes;
 }
 
@@ -142,8 +146,8 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
 
 }  // namespace
 
-Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known) {
-  std::vector<Axes> axes = face_axes(mesh, field);
+Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known, int threads) {
+  std::vector<Axes> axes = face_axes(mesh, field, threads);
   if (known)
     for (std::size_t f = 0; f < axes.size(); ++f)
       if (known->faces[f]) axes[f] = {known->s[f], known->t[f]};

@@ -23,7 +23,7 @@ struct Charts {
 
 struct Known;
 
-// Frames and cuts that are known stay; the combing starts from them.
-Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known = nullptr);
+// Frames and cuts that are known stay; the combing starts from them.  The same for any number of threads.
+Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* known = nullptr, int threads = 1);
 
 }  // namespace inkgrid

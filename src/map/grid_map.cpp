@@ -127,6 +127,10 @@ GridMap assemble_map(const MapSetup& setup, const Unknowns& unknowns) {
   map.base = unknowns.vertex;
   map.corner_turn = cuts.corner_turn;
   map.half_integer = cuts.fixed_point;
+  const std::size_t corners = 3 * setup.mesh.faces.size();
+  map.corner_base.reserve(corners);
+  map.corner_shift.reserve(corners);
+  map.transitions.reserve(corners);
   for (int c = 0; c < 3 * setup.mesh.face_count(); ++c) {
     map.corner_base.push_back(setup.mesh.faces[at(face_of(c))][at(c % 3)]);
     map.corner_shift.push_back(translation(cuts.corner_form[at(c)]));

@@ -33,10 +33,12 @@ class ComponentProblem {
 
   std::vector<std::array<int, 2>> edges(int component) const {
     std::vector<std::array<int, 2>> result;
+    result.reserve(2 * layout_.faces[at(component)].size());
     for (const int f : layout_.faces[at(component)])
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        if (setup_.mesh.twins[at(h)] > h) continue;
         const int i = node(h), j = node(next_halfedge(h));
-        if (i >= 0 && j >= 0 && setup_.mesh.twins[at(h)] < h) result.push_back({i, j});
+        if (i >= 0 && j >= 0) result.push_back({i, j});
       }
     return result;
   }
@@ -60,16 +62,18 @@ class ComponentProblem {
 
   void add_plain_face(int f) {
     const FaceFrame frame = face_frame(setup_, f);
+    const std::array<int, 3> nodes{node(3 * f), node(3 * f + 1), node(3 * f + 2)};
+    const std::array<int, 3> turns{turn(3 * f), turn(3 * f + 1), turn(3 * f + 2)};
     for (int k = 0; k < 3; ++k) {
-      const int corner = 3 * f + k;
+      const int own_node = nodes[at(k)], own_turn = turns[at(k)];
       const double own = alignment(frame, k, k) + setup_.options.damping;
-      problem_.reals.add(node(corner), node(corner), {own, 0, 0, own});
+      problem_.reals.add(own_node, own_node, {own, 0, 0, own});
       for (int l = 0; l < k; ++l)
-        problem_.reals.add(node(corner), node(3 * f + l), rotation(alignment(frame, k, l), turn(3 * f + l) - turn(corner)));
-      const Vec2 pull = turned(Vec2{frame.along_s[at(k)], frame.along_t[at(k)]}, -turn(corner));
-      problem_.real_b[at(node(corner))].p += pull.x;
-      problem_.real_b[at(node(corner))].q += pull.y;
-      add_plain_snapping(corner);
+        problem_.reals.add(own_node, nodes[at(l)], rotation(alignment(frame, k, l), turns[at(l)] - own_turn));
+      const Vec2 pull = turned(Vec2{frame.along_s[at(k)], frame.along_t[at(k)]}, -own_turn);
+      problem_.real_b[at(own_node)].p += pull.x;
+      problem_.real_b[at(own_node)].q += pull.y;
+      add_plain_snapping(3 * f + k);
     }
   }
 

@@ -33,7 +33,9 @@ void merge_within_face(const BandMesh& mesh, const Charts& charts, int f, int co
 void merge_neighbours(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, UnionFind& regions) {
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
     const int twin = mesh.twins[at(h)];
-    if (twin < 0 || charts.cut[at(h)] || labels[at(face_of(h))] != labels[at(face_of(twin))]) continue;
+    if (twin < h || charts.cut[at(h)]) continue;
+    const Label label = labels[at(face_of(h))];
+    if (label == Label::none || label != labels[at(face_of(twin))]) continue;
     regions.unite(h, next_halfedge(twin));
     regions.unite(next_halfedge(h), twin);
   }

@@ -29,10 +29,6 @@ constexpr double kPivotTolerance = 1e-14;
 constexpr double kTaskShare = 1.0 / 16;      // of the work of a factorisation, that is done at once on one thread
 constexpr std::size_t kWorthThreads = 2000;  // nodes
 
-Block transposed(const Block& x) {
-  return {x.a, x.c, x.b, x.d};
-}
-
 Block product(const Block& x, const Block& y) {
   return {x.a * y.a + x.b * y.c, x.a * y.b + x.b * y.d, x.c * y.a + x.d * y.c, x.c * y.b + x.d * y.d};
 }
@@ -272,16 +268,6 @@ PairMatrix::PairMatrix(int size, const std::vector<std::array<int, 2>>& edges) :
     starts_[at(j) + 1] = static_cast<int>(rows_.size());
   }
   blocks_.resize(rows_.size());
-}
-
-void PairMatrix::add(int i, int j, const Block& block) {
-  if (i == j) {
-    diagonal_[at(i)] += block;
-    return;
-  }
-  int k = starts_[at(std::min(i, j))];
-  while (rows_[at(k)] != std::max(i, j)) ++k;
-  blocks_[at(k)] += i > j ? block : transposed(block);
 }
 
 namespace {

@@ -8,6 +8,8 @@
 #include <complex>
 #include <vector>
 
+#include "base/at.h"
+
 namespace inkgrid {
 
 // [a, b; c, d]
@@ -20,6 +22,10 @@ struct Block {
   }
   friend Block operator*(double k, const Block& x) { return {k * x.a, k * x.b, k * x.c, k * x.d}; }
 };
+
+inline Block transposed(const Block& x) {
+  return {x.a, x.c, x.b, x.d};
+}
 
 // The two unknowns of a node.
 template <class Scalar>
@@ -68,6 +74,16 @@ class PairMatrix {
   std::vector<Block> blocks_;
   std::vector<Block> diagonal_;
 };
+
+inline void PairMatrix::add(int i, int j, const Block& block) {
+  if (i == j) {
+    diagonal_[at(i)] += block;
+    return;
+  }
+  int k = starts_[at(i < j ? i : j)];
+  while (rows_[at(k)] != (i < j ? j : i)) ++k;
+  blocks_[at(k)] += i > j ? block : transposed(block);
+}
 
 // What a factorisation does, whatever the values: the same for all matrices with blocks at the same places.
 struct EliminationPlan {

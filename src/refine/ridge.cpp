@@ -285,9 +285,9 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand&
     judge(ridge.sections, usual);
     move_points(ridge, normals, stiffness(ridge.chain, usual, ink.stroke_width, options));
   };
-  for_ranges(options.threads, static_cast<int>(ridges.size()), 1, [&](int first, int last) {
-    for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) follow(ridges[c], ownership.first[c]);
-  });
+  for_each_largest_first(
+      options.threads, static_cast<int>(ridges.size()), [&](int c) { return ridges[at(c)].chain.points.size(); },
+      [&](int c) { follow(ridges[at(c)], ownership.first[at(c)]); });
 }
 
 std::vector<Vec2> spaced_points(const Chain& chain, double step) {
