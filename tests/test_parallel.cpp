@@ -36,6 +36,14 @@ TEST(ForRanges, AnExceptionReachesTheCaller) {
   }
 }
 
+TEST(ForEachLargestFirst, TakesEachOnceByFallingSizeAndThenByNumber) {
+  const std::vector<int> sizes{3, 9, 3, 0, 9, 1};
+  std::vector<int> order;
+  for_each_largest_first(
+      1, 6, [&](int i) { return sizes[static_cast<std::size_t>(i)]; }, [&](int i) { order.push_back(i); });
+  EXPECT_EQ(order, (std::vector<int>{1, 4, 0, 2, 5, 3}));
+}
+
 TEST(ForRanges, SeveralThreadsTakePart) {
   std::atomic<int> waiting = 0;
   // Ends only when both ranges are being worked on at the same time.

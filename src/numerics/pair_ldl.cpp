@@ -11,7 +11,8 @@
 
 // Compiled for registers of four numbers too, which are used where the processor has them; each number is computed in the same
 // way.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define INKGRID_WIDE_TOO __attribute__((target_clones("avx2", "default")))
 #else
 #define INKGRID_WIDE_TOO
