@@ -8,6 +8,8 @@
 
 #include "fit/fit_outlines.h"
 #include "graph/folds.h"
+#include "ink/enlarge.h"
+#include "ink/pen_strokes.h"
 #include "ink/preset.h"
 #include "options.h"
 #include "refine/ends.h"
@@ -59,12 +61,28 @@ bool same_ink(const Inputs& a, const Inputs& b) {
          a.options.fills == b.options.fills;
 }
 
-// What the drawing decides is decided.
-void settle(Inputs& inputs, const Inputs& before, const Ink& ink) {
-  const bool known = same_ink(inputs, before) && inputs.options.preset == before.options.preset;
+// Strokes of a rough drawing are wider than its pen.
+int enlargement_for(const std::optional<Preset>& of_fine_pen, Preset given) {
+  if (!of_fine_pen) return 1;
+  return (given == Preset::automatic ? *of_fine_pen : given) == Preset::clean ? kEnlargement : 1;
+}
+
+// Whether the ink of an earlier run is that of these inputs.
+bool is_ink_of(const Stages& before, const Inputs& now) {
+  return same_ink(before.inputs, now) && enlargement_for(before.of_fine_pen, now.options.preset) == before.ink.enlargement;
+}
+
+Preset preset_of(const Stages& measured, Preset given) {
+  return given == Preset::automatic && measured.of_fine_pen ? *measured.of_fine_pen : choose_preset(given, measured.ink);
+}
+
+// What the drawing decides is decided.  `measured`: ink, which may be that of an earlier run.
+void settle(Inputs& inputs, const Stages& measured) {
+  const Inputs& before = measured.inputs;
+  const bool known = &before != &inputs && inputs.options.preset == before.options.preset;
   Options& settled = inputs.settled = inputs.options;
-  settled.preset = known ? before.settled.preset : choose_preset(inputs.options.preset, ink);
-  const PresetValues values = preset_values(settled.preset, ink.stroke_width);
+  settled.preset = known ? before.settled.preset : preset_of(measured, inputs.options.preset);
+  const PresetValues values = preset_values(settled.preset, measured.ink.stroke_width, measured.ink.enlargement);
   settled.reach = inputs.options.reach.value_or(values.reach);
   settled.spacing = inputs.options.spacing.value_or(values.spacing);
   settled.gap = inputs.options.gap.value_or(values.gap);
@@ -81,7 +99,7 @@ bool same_ground(const Stages& before, double spacing) {
 }
 
 Stage first_stage_changed(const Stages& before, const Inputs& now) {
-  if (!same_ink(before.inputs, now)) return Stage::ink;
+  if (!is_ink_of(before, now)) return Stage::ink;
   Options known = before.inputs.settled;
   known.preset = now.settled.preset;  // it has done its work
   Stage changed = first_stage_changed(known, now.settled);
@@ -94,7 +112,7 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   const auto move = [&](Stage stage, auto... members) {
     if (stage < first) ((to.*members = std::move(from.*members)), ...);
   };
-  move(Stage::ink, &Stages::fills, &Stages::ink);
+  move(Stage::ink, &Stages::fills, &Stages::ink, &Stages::of_fine_pen);
   move(Stage::bundles, &Stages::bundles);
   move(Stage::slim, &Stages::slim, &Stages::bundle_scale);
   move(Stage::band, &Stages::mesh);
@@ -147,15 +165,44 @@ void run_to_map(Stage first, Stages& stages, Stopwatch& run, const Control& cont
     });
 }
 
-void run_ink(Stages& stages, Stopwatch& run, Keep keep) {
-  const Options& options = stages.inputs.options;
-  Binarisation binarisation = run("threshold", 0.0, [&] { return binarise(stages.inputs.image, options.threshold); });
-  release(keep, stages.inputs.image);
+struct Strokes {
+  Fills fills;
+  Ink ink;
+};
+
+Strokes measure_strokes(const Image& image, const Options& options, int enlargement, Stopwatch& run) {
+  Strokes strokes;
+  Binarisation binarisation = run("threshold", 0.0, [&] { return binarise(image, options.threshold, enlargement); });
   if (options.fills != FillMode::trace) {
-    stages.fills = run("fills", 0.03, [&] { return find_fills(binarisation); });
-    binarisation = without_fills(std::move(binarisation), stages.fills);
+    strokes.fills = run("fills", 0.03, [&] { return find_fills(binarisation); });
+    binarisation = without_fills(std::move(binarisation), strokes.fills);
   }
-  stages.ink = run("ink", 0.06, [&] { return measure_ink(std::move(binarisation)); });
+  strokes.ink = run("ink", 0.06, [&] { return measure_ink(std::move(binarisation), enlargement); });
+  return strokes;
+}
+
+Strokes measure_enlarged(const Image& image, const Options& options, const Control& control) {
+  Report unread;
+  Control quiet;
+  quiet.stop = control.stop;
+  Stopwatch run(quiet, unread);
+  return measure_strokes(enlarged(image), options, kEnlargement, run);
+}
+
+double pen_width(const Strokes& strokes, const Options& options) {
+  return options.fills == FillMode::trace ? find_pen_strokes(strokes.ink.mask, strokes.ink.darkness).width
+                                          : strokes.fills.stroke_width;
+}
+
+void run_ink(const Image& image, Stages& stages, Stopwatch& run, const Control& control) {
+  const Options& options = stages.inputs.options;
+  Strokes strokes = measure_strokes(image, options, 1, run);
+  if (strokes.ink.pixels > 0 && is_fine(pen_width(strokes, options), image))
+    stages.of_fine_pen = choose_preset(Preset::automatic, strokes.ink);
+  if (enlargement_for(stages.of_fine_pen, options.preset) > 1)
+    strokes = run("enlarged ink", 0.07, [&] { return measure_enlarged(image, options, control); });
+  stages.fills = std::move(strokes.fills);
+  stages.ink = std::move(strokes.ink);
 }
 
 Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
@@ -219,7 +266,7 @@ class Borrowed {
 // Its mesh is coarse, as its chains are only looked at from stroke to stroke.
 Bundles scout_bundles(Stages& stages, const Control& control) {
   Stages scout;
-  const PresetValues values = preset_values(Preset::rough, stages.ink.stroke_width);
+  const PresetValues values = preset_values(Preset::rough, stages.ink.stroke_width, stages.ink.enlargement);
   Options& options = scout.inputs.settled;
   options.reach = values.reach;
   options.spacing = values.spacing;
@@ -302,13 +349,14 @@ Chains with_scribbles(Stages& stages, const Control& control) {
 
 std::vector<Fill> fitted_fills(const Stages& stages) {
   const Options& options = stages.inputs.options;
-  return options.fills == FillMode::layer ? fit_outlines(stages.fills, options.tolerance) : std::vector<Fill>{};
+  if (options.fills != FillMode::layer) return {};
+  return fit_outlines(stages.fills, options.tolerance, pixel_of(stages));
 }
 
 FitOptions fit_options_of(const Stages& stages) {
   const Options& options = stages.inputs.settled;
-  const double width = stages.ink.stroke_width;
-  return {options.tolerance * width, std::min(width, kCornerSpan * grid_ink(stages).stroke_width), options.threads};
+  const double width = stages.ink.stroke_width, corner = std::min(width, kCornerSpan * grid_ink(stages).stroke_width);
+  return {options.tolerance * width * pixel_of(stages), corner * pixel_of(stages), options.threads};
 }
 
 // Curves of an earlier run, and what they were fitted with.
@@ -340,10 +388,10 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
     stages.chains = run("scribbles", 0.97, [&] {
       Chains chains = reach_fills(with_scribbles(stages, control), stages.fills, 1.5 * stages.ink.stroke_width);
       for (Chain& chain : chains.chains) chain.coverage = ink_coverage(chain, covered_ink(stages));
-      return chains;
+      return scaled(std::move(chains), pixel_of(stages));
     });
   if (!stages.parts.empty()) report_mesh(assembled_mesh(stages), stages.report);
-  report_leftovers(stages.chains, stages.ink.stroke_width, stages.report);
+  report_leftovers(stages.chains, stages.ink.stroke_width * pixel_of(stages), stages.report);
   if (first <= Stage::fit) {
     const FitOptions options = fit_options_of(stages);
     const bool same = options == before.options;
@@ -372,11 +420,13 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
   Stages made;
   made.inputs = {image, control.mask ? std::optional(*control.mask) : std::nullopt, options, options};
   Stopwatch run(control, made.report);
-  const bool known = same_ink(stages.inputs, made.inputs);
-  if (!known) run_ink(made, run, keep);
-  const Ink& ink = known ? stages.ink : made.ink;
-  const bool blank = ink.pixels == 0;
-  if (!blank) settle(made.inputs, stages.inputs, ink);
+  const bool known = is_ink_of(stages, made.inputs);
+  release(keep, made.inputs.image);
+  if (!known) run_ink(image, made, run, control);
+  const Stages& measured = known ? stages : made;
+  const bool blank = measured.ink.pixels == 0;
+  if (made.inputs.mask && measured.ink.enlargement > 1) made.inputs.mask = enlarged(*made.inputs.mask);
+  if (!blank) settle(made.inputs, measured);
   const Stage first = blank && known ? Stage::none : first_stage_changed(stages, made.inputs);
   const FittedBefore before{fit_options_of(stages), stages.drawing.curves};
   move_kept(first, stages, made);

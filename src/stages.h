@@ -19,15 +19,17 @@ namespace inkgrid {
 // What a result is made from.
 struct Inputs {
   Image image;
-  std::optional<ScaleMask> mask;  // Control::mask
+  std::optional<ScaleMask> mask;  // Control::mask, enlarged where the ink is
   Options options;                // as given
   Options settled;                // as used: preset, reach and spacing decided by the ink
 };
 
 struct SolvedPart;  // scribbles/parts.h
 
-// What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.
+// What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.  All up to
+// the parts is in pixels of the ink, which may be those of an enlarged picture; chains and drawing are in the drawing's own.
 struct Stages {
+  std::optional<Preset> of_fine_pen;  // what the picture of a fine pen looks like before it is enlarged
   Fills fills;
   Ink ink;
   Bundles bundles;
@@ -49,6 +51,11 @@ struct Stages {
   Report report;
   Inputs inputs;
 };
+
+// The side of a pixel of the ink in the drawing, px.
+inline double pixel_of(const Stages& stages) {
+  return 1.0 / stages.ink.enlargement;
+}
 
 // What the grid works on.
 inline const Ink& grid_ink(const Stages& stages) {

@@ -47,11 +47,12 @@ void Recording::element_of(Kind kind) {
   std::memcpy(bytes_.data() + count_at_, &count, sizeof count);
 }
 
-void Recording::pixels(const Raster<std::uint8_t>& mask, Colour colour) {
+void Recording::pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) {
   kind_ = Kind::none;
   element_of(Kind::pixels);
   put_count(static_cast<std::uint32_t>(mask.width));
   put_count(static_cast<std::uint32_t>(mask.height));
+  put(side);
   put(colour);
   bytes_.append(reinterpret_cast<const char*>(mask.data.data()), mask.data.size());
   bytes_.append((4 - mask.data.size() % 4) % 4, '\0');

@@ -14,10 +14,11 @@ namespace inkgrid::studio {
 //   0 triangles  per element 3 corners: x, y (f32), colour (u8 r, g, b, a)
 //   1 lines      x0, y0, x1, y1, width (f32; screen px), colour
 //   2 discs      x, y, radius, hole radius (f32; screen px), flags (f32; 1: white rim, 2: radii in px of the drawing, 4: square),
-//   colour 3 pixels     one element: width, height (u32), colour, then width * height bytes, padded to 4
+//   colour 3 pixels     one element: width, height (u32), side of a pixel (f32; px of the drawing), colour, then width * height
+//   bytes, padded to 4
 class Recording final : public Painter {
  public:
-  void pixels(const Raster<std::uint8_t>& mask, Colour colour) override;
+  void pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) override;
   void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour) override;
   void polyline(std::span<const Vec2> points, double width, Colour colour) override;
   void curve(const Curve& curve, double width, Colour colour) override;

@@ -202,6 +202,8 @@ TEST_P(EachGap, CloseStrokesHaveNoRungs) {
 INSTANTIATE_TEST_SUITE_P(Gaps, EachGap, ::testing::Combine(::testing::Values(4.0, 7.0), ::testing::Values(0.7, 1.0)));
 INSTANTIATE_TEST_SUITE_P(ThinGaps, EachGap, ::testing::Combine(::testing::Values(2.0), ::testing::Values(0.7, 1.5)));
 
+INSTANTIATE_TEST_SUITE_P(FineGaps, EachGap, ::testing::Combine(::testing::Values(2.5, 3.0), ::testing::Values(0.5, 0.7)));
+
 TEST(Gaps, HairsSideBySideAreKept) {
   std::vector<Line> truth;
   for (int k = 0; k < 8; ++k) {
@@ -212,6 +214,25 @@ TEST(Gaps, HairsSideBySideAreKept) {
   const Drawing drawing = traced(painted(truth, 1.5, 100, 180));
   EXPECT_EQ(drawing.curves.size(), 8u);
   EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+}
+
+// Five rings of 2.5 px with as little as 1.75 px of paper between them, and a hatching of 1.5 px.
+TEST(Gaps, RingsOfAFinePenAreRings) {
+  std::vector<Line> truth;
+  for (int k = 1; k <= 5; ++k) truth.push_back(circle({40.3, 39.8}, 4.25 * k + 4));
+  const Drawing drawing = traced(painted(truth, 2.5, 80, 80));
+  EXPECT_EQ(drawing.curves.size(), 5u);
+  for (const Curve& curve : drawing.curves) EXPECT_TRUE(curve.closed);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.35);
+}
+
+TEST(Hatching, OfAFinePenIsAsManyStrokes) {
+  std::vector<Line> truth;
+  for (int k = 0; k < 16; ++k) truth.push_back({{20 + 4.15 * k, 15}, {30 + 4.15 * k, 90}});
+  const Drawing drawing = traced(painted(truth, 1.5, 120, 105));
+  EXPECT_EQ(drawing.curves.size(), truth.size());
+  EXPECT_TRUE(drawing.junctions.empty());
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.8);
 }
 
 TEST(Hatching, CrossedHasItsCrossingsOnly) {

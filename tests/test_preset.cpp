@@ -88,6 +88,15 @@ TEST(Preset, BlackStrokesWithSlitsAreRough) {
   EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
 }
 
+// Whole pixels measure strokes of 2.5 px here as 2 wide, there as 4.
+TEST(Preset, FineStrokesCloseBesideEachOtherAreClean) {
+  Image image = blank(200, 120);
+  for (int k = 0; k < 4; ++k) paint(image, wave(40 + 4 * k, 0), 2.5);
+  const Ink ink = ink_of(image);
+  EXPECT_GT(measure_sketchiness(ink).slits, 0.03);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink), Preset::clean);
+}
+
 TEST(Preset, PensOfDifferentWidthAreClean) {
   Image image = blank(400, 300);
   paint(image, {{20, 40}, {380, 50}}, 40);

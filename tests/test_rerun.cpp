@@ -310,6 +310,42 @@ TEST(Rerun, ManyChangesInARowGiveTheSameAsTheLastAlone) {
   }
 }
 
+// The picture of a fine pen is enlarged where it is taken for a clean one.
+Image fine_drawing() {
+  Image image = blank(90, 60);
+  for (int k = 0; k < 4; ++k) paint(image, {{10.0 + 6 * k, 8}, {14.0 + 6 * k, 50}}, 2);
+  paint(image, {{6, 30}, {44, 26}}, 2);
+  paint(image, circle({66, 30}, 14), 2);
+  paint(image, {{66, 30}, {66, 30}}, 8);
+  return image;
+}
+
+TEST(Rerun, AFinePenIsEnlargedWithWhateverIsAskedOfIt) {
+  const Image image = fine_drawing();
+  ScaleMask mask{image.width, image.height, std::vector<float>(image.grey.size(), 1)};
+  for (int y = 20; y < 34; ++y)
+    for (int x = 8; x < 24; ++x) mask.factor[static_cast<std::size_t>(y * image.width + x)] = 2;
+  Control scribbled;
+  scribbled.mask = &mask;
+  Options rough, fine;
+  rough.preset = Preset::rough;
+  fine.spacing = 0.5;
+  Stages stages;
+  for (const auto& [options, control] :
+       {std::pair(Options{}, Control{}), {Options{}, scribbled}, {fine, scribbled}, {rough, Control{}}, {Options{}, Control{}}}) {
+    rerun_stages(stages, image, options, control);
+    expect_same(stages, run_stages(image, options, control));
+    EXPECT_EQ(stages.report.enlargement, options.preset == Preset::rough ? 1 : 2);
+    EXPECT_EQ(stages.drawing.width, image.width);
+    ASSERT_EQ(stages.drawing.fills.size(), 1u);
+    EXPECT_NEAR(stages.drawing.fills[0].outlines[0].segments[0].p0.x, 66, 5);
+  }
+  const std::vector<Curve> curves = stages.drawing.curves;
+  rerun_stages(stages, image, with("tolerance", "0.11"), {});
+  rerun_stages(stages, image, {}, {});
+  EXPECT_EQ(stages.drawing.curves.size(), curves.size());
+}
+
 TEST(Rerun, AnotherImageStartsAnew) {
   Image image = drawing();
   Stages stages = run_stages(image, usual(), {});

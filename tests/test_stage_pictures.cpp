@@ -167,6 +167,31 @@ TEST_F(StagePictures, PutThingsWhereTheyAre) {
   EXPECT_EQ(colour("8-curves.png", 32, 20), 0xe02020u) << "the junction";
 }
 
+// The ink of a fine pen has pixels of its own, half as large; chains and curves are in those of the drawing.
+TEST_F(StagePictures, AreTheSameOfAnEnlargedPicture) {
+  Stages stages = square_stages(image_);
+  const auto enlarge = [](auto& raster) {
+    auto large = raster;
+    large.width *= 2, large.height *= 2;
+    large.data.resize(4 * raster.data.size());
+    for (int y = 0; y < large.height; ++y)
+      for (int x = 0; x < large.width; ++x) large(x, y) = raster(x / 2, y / 2);
+    raster = large;
+  };
+  enlarge(stages.ink.mask);
+  enlarge(stages.ink.rise);
+  if (!stages.slim.mask.data.empty()) enlarge(stages.slim.mask);
+  if (!stages.bundles.slits.data.empty()) enlarge(stages.bundles.slits);
+  stages.ink.enlargement = 2;
+  stages.ink.stroke_width *= 2;
+  for (Vec2& p : stages.mesh.points) p = 2 * p;
+  for (GraphNode& node : stages.graph.nodes) node.position = 2 * node.position;
+  for (GraphEdge& edge : stages.graph.edges)
+    for (Vec2& p : edge.path) p = 2 * p;
+  write_stage_pictures((scratch_.path / "large").string(), image_, stages);
+  for (const char* file : kFiles) EXPECT_EQ(read_png(scratch_.path / "large" / file).rgb, pictures_[file].rgb) << file;
+}
+
 TEST_F(StagePictures, MarkFreeEndsOnly) {
   for (const char* file : {"7-chains.png", "8-curves.png"}) {
     const auto ring = [&](int x) {

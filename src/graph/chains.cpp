@@ -141,6 +141,16 @@ class Joiner {
 
 }  // namespace
 
+Chains scaled(Chains chains, double factor) {
+  for (Vec2& junction : chains.junctions) junction = factor * junction;
+  for (Chain& chain : chains.chains) {
+    for (Vec2& p : chain.points) p = factor * p;
+    chain.width *= factor;
+    chain.confirmed *= factor;
+  }
+  return chains;
+}
+
 bool is_loop(const Chain& chain) {
   return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
 }

@@ -27,6 +27,9 @@ struct Chains {
   std::vector<Chain> chains;
 };
 
+// The same in other units of length.
+Chains scaled(Chains chains, double factor);
+
 // Whether the chain ends where it starts: closed, or in one junction.
 bool is_loop(const Chain& chain);
 

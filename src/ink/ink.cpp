@@ -272,8 +272,9 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads) {
   return closed;
 }
 
-Ink measure_ink(Binarisation binarisation) {
+Ink measure_ink(Binarisation binarisation, int enlargement) {
   Ink ink;
+  ink.enlargement = enlargement;
   ink.threshold = binarisation.threshold;
   ink.inverted = binarisation.inverted;
   ink.mask = std::move(binarisation.ink);

@@ -23,6 +23,7 @@ struct Ink {
   long pixels = 0;              // stroke pixels
   double threshold = 0;         // as Binarisation
   bool inverted = false;
+  int enlargement = 1;  // how many of its pixels lie side by side in one of the drawing (enlarge.h)
   Vec2 origin;  // px: where pixel (0, 0) lies in the drawing, whole numbers; other than zero for a window of it (window.h)
 
   int width() const { return mask.width; }
@@ -38,7 +39,7 @@ Raster<float> distance_to(const Raster<std::uint8_t>& mask);
 Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads = 1);
 
 // The image's border counts as a continuation of what lies on it, not as background.
-Ink measure_ink(Binarisation binarisation);
+Ink measure_ink(Binarisation binarisation, int enlargement = 1);
 
 // Whether no more than `bridge` px of paper at a time lie on the straight way.
 bool over_ink(const Raster<std::uint8_t>& mask, Vec2 from, Vec2 to, double bridge);

@@ -15,6 +15,7 @@ constexpr double kSomeInside = 0.15;
 constexpr double kEnoughInside = 0.3;
 constexpr double kManySlits = 0.03;
 constexpr double kUnevenWidth = 0.5;
+constexpr int kStepsOfPixels = 1;     // of the depth, between one and the next place of a stroke on the pixels
 constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
 constexpr double kSlitRadius = 0.3;   // strokes
 constexpr double kFinePen = 4;        // px: a slimmer pen has no details below its width that pixels show
@@ -73,7 +74,8 @@ double width_spread(const Ink& ink) {
       if (ink.mask(x, y) && ink.centre_distance(x, y) == 0) depths.push_back(ink.depth(x, y));
   if (depths.empty()) return 0;
   std::sort(depths.begin(), depths.end());
-  return 2.0 * (depths[depths.size() * 9 / 10] - depths[depths.size() / 10]) / ink.stroke_width;
+  const int steps = depths[depths.size() * 9 / 10] - depths[depths.size() / 10];
+  return steps > kStepsOfPixels ? 2.0 * steps / ink.stroke_width : 0;
 }
 
 }  // namespace
@@ -96,8 +98,8 @@ Preset choose_preset(Preset given, const Ink& ink) {
   return pale || unequal || overdrawn ? Preset::rough : Preset::clean;
 }
 
-PresetValues preset_values(Preset preset, double stroke_width) {
-  const double gap = std::min(1.0, kWidestGap / stroke_width);
+PresetValues preset_values(Preset preset, double stroke_width, int enlargement) {
+  const double gap = std::min(1.0, kWidestGap * enlargement / stroke_width);
   if (preset == Preset::rough) return {0.45, 1.5, gap};
   const double fineness = std::clamp(kFinePen / stroke_width, kFinest, 1.0);
   return {0.3 * std::min(fineness, std::max(kFinest, stroke_width / kFinePen)), 0.7 * fineness, gap};

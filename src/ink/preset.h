@@ -16,7 +16,7 @@ struct Sketchiness {
   double centre_spread = 0;   // the same on the centre lines there, where no blurred rim reaches
   double pale = 0;            // share of those that is less than fully dark
   double slits = 0;           // paper between strokes closer than 0.6 stroke widths, over the ink
-  double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes
+  double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes; 0 for a step of pixels
 };
 
 Sketchiness measure_sketchiness(const Ink& ink);
@@ -31,7 +31,7 @@ struct PresetValues {
 };
 
 // For clean drawings both follow the pen: down to half of what a pen of a few pixels is given, so that details smaller than the
-// pen are resolved.
-PresetValues preset_values(Preset preset, double stroke_width);
+// pen are resolved.  `enlargement`: how many times the picture was enlarged.
+PresetValues preset_values(Preset preset, double stroke_width, int enlargement = 1);
 
 }  // namespace inkgrid

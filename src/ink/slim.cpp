@@ -190,7 +190,7 @@ Ink slim_ink(const Ink& ink, double share) {
     else if (dark != 0)
       dark = 0;
   }
-  return measure_ink(std::move(slim));
+  return measure_ink(std::move(slim), ink.enlargement);
 }
 
 }  // namespace inkgrid

@@ -188,13 +188,13 @@ void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, int reach, const 
 }
 
 // Gaps in a soft stroke: small holes through which no paper is seen.
-void fill_pinholes(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels) {
-  turn_over(ink, 0, 0, darkness, [&](const Amount& a) { return a.pixels <= kPinhole && a.lightest > levels.weak; });
+void fill_pinholes(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels, int pixel) {
+  turn_over(ink, 0, 0, darkness, [&](const Amount& a) { return a.pixels <= kPinhole * pixel && a.lightest > levels.weak; });
 }
 
 // Specks: no dark pixel in them, or too little ink altogether.
-void drop_specks(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels) {
-  const double least = levels.full * (levels.grain > kAnyGrain ? kSpeckInGrain : kSpeck);
+void drop_specks(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels, int pixel) {
+  const double least = pixel * levels.full * (levels.grain > kAnyGrain ? kSpeckInGrain : kSpeck);
   turn_over(ink, 1, 1, darkness, [&](const Amount& a) { return a.darkest < kSeedFactor * levels.weak || a.darkness < least; });
 }
 
@@ -220,7 +220,8 @@ Binarisation below(const View& view, double threshold) {
   return result;
 }
 
-Binarisation automatic(const View& view) {
+// `pixel`: how many pixels of the view were one.
+Binarisation automatic(const View& view, int pixel) {
   auto [darkness, paper] = even_out(view);
   Levels levels = measure_levels(darkness);
   Raster<float> smoothed;
@@ -231,8 +232,8 @@ Binarisation automatic(const View& view) {
   }
   const Raster<float>& clear = smoothed.data.empty() ? darkness : smoothed;
   LocalInk local = half_of_local_ink(clear, levels.weak);
-  fill_pinholes(local.ink, clear, levels);
-  drop_specks(local.ink, clear, levels);
+  fill_pinholes(local.ink, clear, levels, pixel);
+  drop_specks(local.ink, clear, levels, pixel);
   const auto full = static_cast<float>(levels.full);
   for (float& d : darkness.data) d = std::clamp(d / full, 0.0f, 1.0f);
   return {std::move(local.ink), std::move(darkness), paper * (1 - local.mean_threshold), false};
@@ -240,7 +241,7 @@ Binarisation automatic(const View& view) {
 
 }  // namespace
 
-Binarisation binarise(const Image& image, std::optional<double> threshold) {
+Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement) {
   if (image.width <= 0 || image.height <= 0) throw Error(ErrorCode::usage, "the image is empty");
   if (threshold) return below({image, 0}, *threshold);
   const bool inverted = light_on_dark({image, 0});
@@ -250,7 +251,7 @@ Binarisation binarise(const Image& image, std::optional<double> threshold) {
     result = below(view, 0.5 * ((tones->first ^ view.flip) + (tones->second ^ view.flip)));
     for (std::size_t i = 0; i < result.ink.data.size(); ++i) result.darkness.data[i] = result.ink.data[i];
   } else {
-    result = automatic(view);
+    result = automatic(view, enlargement * enlargement);
   }
   result.inverted = inverted;
   if (inverted) result.threshold = 255 - result.threshold;

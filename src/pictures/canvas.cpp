@@ -100,11 +100,12 @@ void Canvas::fill(Colour colour) {
   cairo_fill(surface_->cairo);
 }
 
-void Canvas::pixels(const Raster<std::uint8_t>& mask, Colour colour) {
+void Canvas::pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) {
   cairo_t* cairo = surface_->cairo;
+  const double scale = side * scale_;
   cairo_save(cairo);
-  cairo_scale(cairo, scale_, scale_);
-  if (scale_ >= 1) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+  cairo_scale(cairo, scale, scale);
+  if (scale >= 1) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width;) {
       const int begin = x;

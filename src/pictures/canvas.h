@@ -24,7 +24,7 @@ class Canvas final : public Painter {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  void pixels(const Raster<std::uint8_t>& mask, Colour colour) override;
+  void pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) override;
   void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour) override;
   void polyline(std::span<const Vec2> points, double width, Colour colour) override;
   void curve(const Curve& curve, double width, Colour colour) override;

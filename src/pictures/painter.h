@@ -22,7 +22,8 @@ class Painter {
  public:
   virtual ~Painter() = default;
 
-  virtual void pixels(const Raster<std::uint8_t>& mask, Colour colour) = 0;
+  // `side` of a pixel of the mask in px of the drawing.
+  virtual void pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) = 0;
   virtual void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour) = 0;
   virtual void polyline(std::span<const Vec2> points, double width, Colour colour) = 0;
   virtual void curve(const Curve& curve, double width, Colour colour) = 0;

@@ -56,29 +56,29 @@ void draw_fills(Painter& painter, const Fills& fills) {
   if (fills.count == 0) return;
   Raster<std::uint8_t> filled(fills.region.width, fills.region.height);
   std::transform(fills.region.data.begin(), fills.region.data.end(), filled.data.begin(), [](int fill) { return fill >= 0; });
-  painter.pixels(filled, kFill);
+  painter.pixels(filled, 1, kFill);
 }
 
 // The mask, its centre line as equation (3) sees it, and a disc as wide as the measured stroke in the corner; fills beside it.
 void draw_ink(Painter& painter, const Stages& stages) {
   const Ink& ink = stages.ink;
   draw_fills(painter, stages.fills);
-  painter.pixels(ink.mask, kInk);
+  painter.pixels(ink.mask, 1, kInk);
   Raster<std::uint8_t> centre(ink.mask.width, ink.mask.height);
   for (std::size_t i = 0; i < centre.data.size(); ++i) centre.data[i] = ink.mask.data[i] && 1 - ink.rise.data[i] < kNearCentre;
-  painter.pixels(centre, kCentre);
+  painter.pixels(centre, 1, kCentre);
   if (ink.stroke_width > 0) painter.dot({ink.stroke_width, ink.stroke_width}, ink.stroke_width / 2, kJunction);
 }
 
 // What the grid works on: the slimmed ink over that which was drawn, and the slits of bundles.
 void draw_strokes(Painter& painter, const Stages& stages) {
   const Raster<std::uint8_t>&slim = grid_ink(stages).mask, &slits = stages.bundles.slits;
-  painter.pixels(stages.ink.mask, kPaleInk);
-  painter.pixels(slim, kInk);
+  painter.pixels(stages.ink.mask, 1, kPaleInk);
+  painter.pixels(slim, 1, kInk);
   if (stages.bundles.count == 0) return;
   Raster<std::uint8_t> joined = slim;
   std::transform(slits.data.begin(), slits.data.end(), joined.data.begin(), joined.data.begin(), std::bit_and<std::uint8_t>());
-  painter.pixels(joined, kSlit);
+  painter.pixels(joined, 1, kSlit);
 }
 
 void draw_band(Painter& painter, const Stages& stages) {
@@ -173,20 +173,56 @@ void draw_curves(Painter& painter, const Stages& stages) {
   for (const Vec2 junction : drawing.junctions) painter.disc(junction, 4.5, kJunction);
 }
 
+// Marks in pixels of the ink, on a painter that takes them in those of the drawing.
+class OnInk final : public Painter {
+ public:
+  OnInk(Painter& painter, double pixel) : painter_(painter), pixel_(pixel) {}
+
+  void pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) override {
+    painter_.pixels(mask, pixel_ * side, colour);
+  }
+  void triangle(Vec2 a, Vec2 b, Vec2 c, Colour colour) override { painter_.triangle(pixel_ * a, pixel_ * b, pixel_ * c, colour); }
+  void polyline(std::span<const Vec2> points, double width, Colour colour) override {
+    std::vector<Vec2> placed(points.begin(), points.end());
+    for (Vec2& p : placed) p = pixel_ * p;
+    painter_.polyline(placed, width, colour);
+  }
+  void curve(const Curve& curve, double width, Colour colour) override {
+    Curve placed = curve;
+    for (Cubic& cubic : placed.segments)
+      for (Vec2* p : {&cubic.p0, &cubic.p1, &cubic.p2, &cubic.p3}) *p = pixel_ * *p;
+    painter_.curve(placed, width, colour);
+  }
+  void disc(Vec2 centre, double radius, Colour colour) override { painter_.disc(pixel_ * centre, radius, colour); }
+  void dot(Vec2 centre, double radius, Colour colour) override { painter_.dot(pixel_ * centre, pixel_ * radius, colour); }
+  void ring(Vec2 centre, double radius, double width, Colour colour) override {
+    painter_.ring(pixel_ * centre, radius, width, colour);
+  }
+  void square(Vec2 centre, double half_side, Colour colour) override { painter_.square(pixel_ * centre, half_side, colour); }
+
+ private:
+  Painter& painter_;
+  double pixel_;
+};
+
 struct StagePicture {
   std::string_view name;
   void (*draw)(Painter&, const Stages&);
+  bool on_ink;  // marks are in pixels of the ink
 };
 
 // In the order of the pipeline.
 constexpr std::array kPictures{
-    StagePicture{"ink", draw_ink},       StagePicture{"strokes", draw_strokes}, StagePicture{"band", draw_band},
-    StagePicture{"field", draw_field},   StagePicture{"labels", draw_labels},   StagePicture{"grid", draw_grid},
-    StagePicture{"chains", draw_chains}, StagePicture{"curves", draw_curves},
+    StagePicture{"ink", draw_ink, true},        StagePicture{"strokes", draw_strokes, true},
+    StagePicture{"band", draw_band, true},      StagePicture{"field", draw_field, true},
+    StagePicture{"labels", draw_labels, true},  StagePicture{"grid", draw_grid, true},
+    StagePicture{"chains", draw_chains, false}, StagePicture{"curves", draw_curves, false},
 };
 
 void draw_stage(const StagePicture& picture, Painter& painter, const Stages& stages) {
-  stages.parts.empty() ? picture.draw(painter, stages) : picture.draw(painter, assembled(stages));
+  OnInk on_ink(painter, pixel_of(stages));
+  Painter& placed = picture.on_ink ? on_ink : painter;
+  stages.parts.empty() ? picture.draw(placed, stages) : picture.draw(placed, assembled(stages));
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ JoinedInk join_bundles(const Ink& ink, const Bundles& bundles, const ScaleMask* 
     for (std::size_t i = 0; i < slits.data.size(); ++i) slits.data[i] = slits.data[i] && mask->factor[i] >= 1;
   Binarisation joined{ink.mask, ink.darkness, ink.threshold, ink.inverted};
   for (std::size_t i = 0; i < slits.data.size(); ++i) joined.ink.data[i] |= slits.data[i];
-  JoinedInk result{measure_ink(std::move(joined)), {}};
+  JoinedInk result{measure_ink(std::move(joined), ink.enlargement), {}};
   result.ink.stroke_width = ink.stroke_width;
   result.scale = widths_of(result.ink, slits);
   return result;

@@ -42,6 +42,7 @@ Ink window_of(const Ink& ink, const TouchedPart& part) {
   window.pixels = static_cast<long>(std::count(window.mask.data.begin(), window.mask.data.end(), std::uint8_t{1}));
   window.threshold = ink.threshold;
   window.inverted = ink.inverted;
+  window.enlargement = ink.enlargement;
   window.origin = ink.origin + Vec2{static_cast<double>(box.x0), static_cast<double>(box.y0)};
   return window;
 }

@@ -111,7 +111,7 @@ export class LayerCanvas {
     return { batch, vertexArray, buffer };
   }
 
-  tilesOf({ width, height, bytes }) {
+  tilesOf({ width, height, side, bytes }) {
     const { gl } = this;
     const tiles = [];
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -124,7 +124,7 @@ export class LayerCanvas {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, w, h, 0, gl.RED, gl.UNSIGNED_BYTE, bytes, y * width + x);
         for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
         for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
-        tiles.push({ texture, box: [x, y, w, h] });
+        tiles.push({ texture, box: [x, y, w, h].map((v) => side * v) });
       }
     gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
     return tiles;

@@ -12,9 +12,10 @@ export function batchesOf(buffer) {
     at += 8;
     if (kind === 'pixels') {
       const width = view.getUint32(at, true), height = view.getUint32(at + 4, true);
-      const colour = [...new Uint8Array(buffer, at + 8, 4)].map((c) => c / 255);
-      batches.push({ kind, count, width, height, colour, bytes: new Uint8Array(buffer, at + 12, width * height) });
-      at += 12 + 4 * Math.ceil((width * height) / 4);
+      const side = view.getFloat32(at + 8, true);
+      const colour = [...new Uint8Array(buffer, at + 12, 4)].map((c) => c / 255);
+      batches.push({ kind, count, width, height, side, colour, bytes: new Uint8Array(buffer, at + 16, width * height) });
+      at += 16 + 4 * Math.ceil((width * height) / 4);
     } else {
       const bytes = new Uint8Array(buffer, at, count * kElementBytes[kind]);
       batches.push({ kind, count, bytes });

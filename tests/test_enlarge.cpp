@@ -1,0 +1,109 @@
+// A picture of a fine pen, enlarged: nothing moves, and nothing is lost.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "drawings.h"
+#include "ink/enlarge.h"
+
+namespace inkgrid {
+namespace {
+
+using testing::blank;
+using testing::paint;
+
+std::uint8_t grey_at(const Image& image, int x, int y) {
+  return image.grey[static_cast<std::size_t>(y * image.width + x)];
+}
+
+Image image_of(int width, int height, const std::function<double(int, int)>& grey) {
+  Image image = blank(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      image.grey[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(std::lround(grey(x, y)));
+  return image;
+}
+
+// The middle of the ink of a picture of one tone, px.
+Vec2 centroid(const Image& image) {
+  double ink = 0;
+  Vec2 sum;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double dark = 255.0 - grey_at(image, x, y);
+      ink += dark;
+      sum += dark * Vec2{x + 0.5, y + 0.5};
+    }
+  return sum / ink;
+}
+
+TEST(Enlarge, PaperStaysPaperUpToTheBorder) {
+  for (const std::uint8_t grey : {0, 77, 255}) {
+    const Image image = enlarged(blank(5, 3, grey));
+    EXPECT_EQ(image.width, 10);
+    EXPECT_EQ(image.height, 6);
+    EXPECT_EQ(image.grey, std::vector<std::uint8_t>(60, grey));
+  }
+}
+
+TEST(Enlarge, ASlopeStaysASlope) {
+  const Image image = enlarged(image_of(20, 20, [](int x, int y) { return 8 * x + 4 * y; }));
+  for (int y = 6; y < 34; ++y)
+    for (int x = 6; x < 34; ++x)
+      EXPECT_NEAR(grey_at(image, x, y), 8 * ((x + 0.5) / 2 - 0.5) + 4 * ((y + 0.5) / 2 - 0.5), 1) << x << ' ' << y;
+}
+
+TEST(Enlarge, StrokesStayWhereTheyAre) {
+  for (const double x : {12.0, 12.3, 12.5, 12.8}) {
+    Image image = blank(30, 30);
+    paint(image, {{x, 10}, {x + 3, 20}}, 1.5);
+    const Vec2 before = centroid(image), after = centroid(enlarged(image));
+    EXPECT_NEAR(after.x, 2 * before.x, 0.06) << x;
+    EXPECT_NEAR(after.y, 2 * before.y, 0.06) << x;
+  }
+}
+
+TEST(Enlarge, PaperBetweenHairsIsLighterThanBefore) {
+  Image image = blank(40, 20);
+  for (int k = 0; k < 6; ++k) paint(image, {{8.0 + 3.1 * k, 2}, {8.0 + 3.1 * k, 18}}, 1.7);
+  const auto lightest = [](const Image& picture, double scale) {
+    std::vector<int> row;
+    for (int x = static_cast<int>(9 * scale); x < static_cast<int>(23 * scale); ++x)
+      row.push_back(grey_at(picture, x, static_cast<int>(10 * scale)));
+    std::sort(row.begin(), row.end());
+    return row[row.size() * 3 / 4];
+  };
+  EXPECT_GT(lightest(enlarged(image), 2), lightest(image, 1));
+}
+
+TEST(Enlarge, TurnsWithThePicture) {
+  const auto grey = [](int x, int y) { return (37 * x * x + 91 * y + 13 * x * y) % 256; };
+  const Image image = enlarged(image_of(9, 9, grey));
+  const Image turned = enlarged(image_of(9, 9, [&](int x, int y) { return grey(8 - x, y); }));
+  for (int y = 0; y < 18; ++y)
+    for (int x = 0; x < 18; ++x) EXPECT_NEAR(grey_at(image, x, y), grey_at(turned, 17 - x, y), 1);
+}
+
+TEST(Enlarge, AMaskSaysTheSameOfEveryPlace) {
+  ScaleMask mask{3, 2, {1, 0.5F, 2, 1, 1, 0.25F}};
+  const ScaleMask large = enlarged(mask);
+  ASSERT_EQ(large.factor.size(), 24u);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 6; ++x)
+      EXPECT_EQ(large.factor[static_cast<std::size_t>(6 * y + x)], mask.factor[static_cast<std::size_t>(3 * (y / 2) + x / 2)]);
+}
+
+TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
+  const Image small = blank(100, 100);
+  EXPECT_TRUE(is_fine(1, small));
+  EXPECT_TRUE(is_fine(3, small));
+  EXPECT_FALSE(is_fine(5, small));
+  EXPECT_FALSE(is_fine(0, small)) << "there is no stroke";
+  EXPECT_FALSE(is_fine(2, Image{20000, 20000, {}, 0}));
+}
+
+}  // namespace
+}  // namespace inkgrid
