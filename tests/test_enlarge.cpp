@@ -66,19 +66,6 @@ TEST(Enlarge, StrokesStayWhereTheyAre) {
   }
 }
 
-TEST(Enlarge, PaperBetweenHairsIsLighterThanBefore) {
-  Image image = blank(40, 20);
-  for (int k = 0; k < 6; ++k) paint(image, {{8.0 + 3.1 * k, 2}, {8.0 + 3.1 * k, 18}}, 1.7);
-  const auto lightest = [](const Image& picture, double scale) {
-    std::vector<int> row;
-    for (int x = static_cast<int>(9 * scale); x < static_cast<int>(23 * scale); ++x)
-      row.push_back(grey_at(picture, x, static_cast<int>(10 * scale)));
-    std::sort(row.begin(), row.end());
-    return row[row.size() * 3 / 4];
-  };
-  EXPECT_GT(lightest(enlarged(image), 2), lightest(image, 1));
-}
-
 TEST(Enlarge, TurnsWithThePicture) {
   const auto grey = [](int x, int y) { return (37 * x * x + 91 * y + 13 * x * y) % 256; };
   const Image image = enlarged(image_of(9, 9, grey));

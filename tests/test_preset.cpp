@@ -90,8 +90,12 @@ TEST(Preset, BlackStrokesWithSlitsAreRough) {
 
 // Whole pixels measure strokes of 2.5 px here as 2 wide, there as 4.
 TEST(Preset, FineStrokesCloseBesideEachOtherAreClean) {
-  Image image = blank(200, 120);
-  for (int k = 0; k < 4; ++k) paint(image, wave(40 + 4 * k, 0), 2.5);
+  Image image = blank(300, 120);
+  for (int k = 0; k < 4; ++k) {
+    std::vector<Vec2> line;
+    for (double t = 0; t <= 1; t += 0.005) line.push_back({20 + 260 * t, 40 + 20 * std::sin(6 * t) + 4 * k});
+    paint(image, line, 2.5);
+  }
   const Ink ink = ink_of(image);
   EXPECT_GT(measure_sketchiness(ink).slits, 0.03);
   EXPECT_EQ(choose_preset(Preset::automatic, ink), Preset::clean);
