@@ -1,7 +1,6 @@
 // A picture of a fine pen, enlarged: nothing moves, and nothing is lost.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
