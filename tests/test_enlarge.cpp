@@ -40,7 +40,7 @@ Vec2 centroid(const Image& image) {
 }
 
 TEST(Enlarge, PaperStaysPaperUpToTheBorder) {
-  for (const std::uint8_t grey : {0, 77, 255}) {
+  for (const auto grey : std::initializer_list<std::uint8_t>{0, 77, 255}) {
     const Image image = enlarged(blank(5, 3, grey));
     EXPECT_EQ(image.width, 10);
     EXPECT_EQ(image.height, 6);
@@ -85,8 +85,8 @@ TEST(Enlarge, AMaskSaysTheSameOfEveryPlace) {
 TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
   const Image small = blank(100, 100);
   EXPECT_TRUE(is_fine(1, small));
-  EXPECT_TRUE(is_fine(3, small));
-  EXPECT_FALSE(is_fine(5, small));
+  EXPECT_TRUE(is_fine(2.5, small));
+  EXPECT_FALSE(is_fine(4, small));
   EXPECT_FALSE(is_fine(0, small)) << "there is no stroke";
   EXPECT_FALSE(is_fine(2, Image{20000, 20000, {}, 0}));
 }

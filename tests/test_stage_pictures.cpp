@@ -171,9 +171,7 @@ TEST_F(StagePictures, PutThingsWhereTheyAre) {
 TEST_F(StagePictures, AreTheSameOfAnEnlargedPicture) {
   Stages stages = square_stages(image_);
   const auto enlarge = [](auto& raster) {
-    auto large = raster;
-    large.width *= 2, large.height *= 2;
-    large.data.resize(4 * raster.data.size());
+    std::decay_t<decltype(raster)> large(2 * raster.width, 2 * raster.height);
     for (int y = 0; y < large.height; ++y)
       for (int x = 0; x < large.width; ++x) large(x, y) = raster(x / 2, y / 2);
     raster = large;

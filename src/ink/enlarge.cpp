@@ -13,7 +13,7 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kFinestPen = 3.6;    // px
+constexpr double kFinestPen = 2.8;    // px
 constexpr double kMostPixels = 16e6;  // of a picture that is enlarged
 constexpr int kLobes = 3;
 constexpr int kTaps = 2 * kLobes;
