@@ -78,7 +78,7 @@ test('the eraser takes scribbles away, and the brush grows and shrinks', { timeo
   assert.deepEqual((await tab.export('svg')).bytes, first);
 });
 
-const kRan = { threshold: '; ran threshold to fit\\.', reach: '; ran slim ink to fit\\.', spacing: '; ran slim ink to fit\\.', gap: '; ran chains to fit\\.', tolerance: '; ran fit\\.' };
+const kRan = { threshold: '; ran threshold to fit\\.', reach: '; ran band to fit\\.', spacing: '; ran slim ink to fit\\.', gap: '; ran chains to fit\\.', tolerance: '; ran fit\\.' };
 
 test('every slider changes the curves, says what runs, and is reset', { timeout: 2 * patience }, async (t) => {
   const tab = await tabWithCross(t), first = (await tab.export('svg')).bytes, plain = await tab.command();
