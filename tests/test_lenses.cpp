@@ -68,7 +68,8 @@ TEST(Lenses, TheWiderStrokeSaysMore) {
 }
 
 TEST(Lenses, WideOnesAreShapes) {
-  EXPECT_EQ(join_lenses(parted(20), kStroke).chains.size(), 4u);
+  EXPECT_EQ(join_lenses(parted(1.9 * kStroke), kStroke).chains.size(), 1u) << "half of the bulge on both sides";
+  EXPECT_EQ(join_lenses(parted(2.15 * kStroke), kStroke).chains.size(), 4u);
 }
 
 Chain half_circle(Vec2 centre, double radius, double side) {

@@ -11,7 +11,7 @@ namespace inkgrid {
 namespace {
 
 constexpr double kStep = 1;           // px
-constexpr double kWidest = 2.2;       // strokes: median distance of the two
+constexpr double kWidest = 2;         // strokes: median distance of the two
 constexpr double kSpan = 1.5;         // strokes: over which directions are measured
 constexpr double kLeastCosine = 0.3;  // cosine of the angle between the two at a junction
 
