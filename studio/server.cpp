@@ -26,7 +26,7 @@ constexpr std::size_t kMostBytes = std::size_t{128} << 20;  // of an upload; a p
 constexpr std::size_t kConnections = 32;                    // at once
 constexpr std::chrono::milliseconds kPulse{250};            // after which a connection that says nothing is tried
 
-enum Status { kRefused = 400, kForbidden = 403, kNotFound = 404, kStale = 409, kTooLarge = 413, kBroken = 500 };
+enum Status { kNoContent = 204, kRefused = 400, kForbidden = 403, kNotFound = 404, kStale = 409, kTooLarge = 413, kBroken = 500 };
 
 // What a handler throws where the answer is no result.
 struct Problem {
@@ -103,6 +103,17 @@ ExportOptions export_options_of(const std::string& body) {
   return options;
 }
 
+// The curves that the page shows; null where others have been found since.
+std::shared_ptr<const Solved> shown_curves(const Request& request, Document& document) {
+  auto solved = last_solved(document);
+  return solved && solved->revision == request.get_param_value("revision") ? solved : nullptr;
+}
+
+// A page that asks while its curves are being replaced does nothing wrong: no error, which browsers would report.
+void answer_changed(Response& response) {
+  response.status = kNoContent;
+}
+
 }  // namespace
 
 struct Server::Inside {
@@ -119,7 +130,6 @@ struct Server::Inside {
   void add_documents();
 
   std::shared_ptr<Document> document_of(const Request& request);
-  std::shared_ptr<const Solved> solved_of(const Request& request, Document& document);
   void answer_opened(const Opened& opened, Response& response);
   void answer_solve(const Request& request, Response& response);
   void answer_layer(const Request& request, Response& response);
@@ -225,13 +235,6 @@ std::shared_ptr<Document> Server::Inside::document_of(const Request& request) {
   return document;
 }
 
-// The curves that the page shows, or none where others have been found since.
-std::shared_ptr<const Solved> Server::Inside::solved_of(const Request& request, Document& document) {
-  auto solved = last_solved(document);
-  if (!solved || solved->revision != request.get_param_value("revision")) throw Problem{kStale, "the curves have changed since"};
-  return solved;
-}
-
 void Server::Inside::answer_solve(const Request& request, Response& response) {
   auto document = document_of(request);
   auto state = std::make_shared<const Project>(parse_project(request.body, "the request"));
@@ -245,21 +248,23 @@ void Server::Inside::answer_solve(const Request& request, Response& response) {
 void Server::Inside::answer_layer(const Request& request, Response& response) {
   const auto document = document_of(request);
   const std::lock_guard lock(document->stages_mutex);
-  solved_of(request, *document);
+  if (!shown_curves(request, *document)) return answer_changed(response);
   Recording recording;
   if (!paint_stage(request.matches[2].str(), recording, document->stages)) throw Problem{kNotFound, "there is no such layer"};
   response.set_content(recording.take(), "application/octet-stream");
 }
 
 void Server::Inside::answer_anchors(const Request& request, Response& response) {
-  const auto solved = solved_of(request, *document_of(request));
+  const auto solved = shown_curves(request, *document_of(request));
+  if (!solved) return answer_changed(response);
   const int curve = std::stoi(request.matches[2].str());
   if (curve >= static_cast<int>(solved->drawing.curves.size())) throw Problem{kNotFound, "there is no such curve"};
   answer_json(anchors_json(solved->drawing, curve), response);
 }
 
 void Server::Inside::answer_export(const Request& request, Response& response) {
-  const auto solved = solved_of(request, *document_of(request));
+  const auto solved = shown_curves(request, *document_of(request));
+  if (!solved) throw Problem{kStale, "the curves have changed since"};
   const ExportFormat& format = export_format(request.matches[2].str());
   const std::string description = run_description(solved->options, solved->report);
   response.set_content(export_drawing(solved->drawing, format, export_options_of(request.body), description),

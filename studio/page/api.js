@@ -4,7 +4,7 @@ export class Problem extends Error {
   constructor(sentence, { status = 0, kind = 'refused' } = {}) {
     super(sentence);
     this.status = status;
-    this.kind = kind; // 'refused', 'cancelled', 'gone' (the server does not answer)
+    this.kind = kind; // 'refused', 'cancelled', 'changed' (the curves, since), 'gone' (the server does not answer)
   }
 }
 
@@ -77,11 +77,17 @@ export class Api {
   cancel(id, revision) {
     return this.ask(`/api/documents/${id}/solve?revision=${revision}`, { method: 'DELETE' });
   }
-  layer(id, revision, name) {
-    return this.bytes(`/api/documents/${id}/layers/${name}?revision=${revision}`);
+  // Of the curves of that revision.
+  async shown(path) {
+    const response = await this.ask(path);
+    if (response.status === 204) throw new Problem('the curves have just changed: try again', { kind: 'changed' });
+    return response;
   }
-  anchors(id, revision, curve) {
-    return this.json(`/api/documents/${id}/anchors/${curve}?revision=${revision}`);
+  async layer(id, revision, name) {
+    return (await this.shown(`/api/documents/${id}/layers/${name}?revision=${revision}`)).arrayBuffer();
+  }
+  async anchors(id, revision, curve) {
+    return (await this.shown(`/api/documents/${id}/anchors/${curve}?revision=${revision}`)).json();
   }
   async exported(id, revision, format, options) {
     const path = `/api/documents/${id}/export/${format}?revision=${revision}`;

@@ -294,7 +294,7 @@ export class Studio {
       this.renderer.invalidate();
     } catch (problem) {
       this.layerRevisions.delete(name);
-      if (problem.status !== 409) this.failed(problem);
+      if (problem.kind !== 'changed') this.failed(problem);
     }
   }
 

@@ -46,6 +46,16 @@ test('the curves answer while the pen rests, before it is lifted', { timeout: pa
   assert.ok(await tab.page.isEnabled('#undo'));
 });
 
+test('an edit of curves that were replaced a moment ago asks to try again, and nothing fails', { timeout: patience }, async (t) => {
+  const tab = await tabWithCross(t), place = await tab.placer(240, 180), count = await tab.count();
+  await tab.page.route('**/anchors/*', (route) => route.continue({ url: route.request().url().replace(/revision=.*/, 'revision=of-before') }));
+  await tab.page.click('#tools button:has(.glyph-delete)');
+  await tab.page.mouse.click(...place([60, 60]));
+  await tab.waitToSay(/^The curves have just changed: try again\.$/);
+  assert.equal(await tab.count(), count);
+  assert.deepEqual(tab.faults, []);
+});
+
 test('a stroke that is given up leaves the curves as they were', { timeout: patience }, async (t) => {
   const tab = await tabWithCross(t), place = await tab.placer(240, 180), before = await ids(tab);
   await tab.page.click('#tools button:has(.glyph-more)');

@@ -113,7 +113,8 @@ test('nonsense is answered in one sentence', async (t) => {
     assert.equal(answer.status, 400, body.slice(0, 40));
     assert.match((await answer.json()).sentence, /^[^\n]{10,300}$/);
   }
-  for (const path of [`/api/documents/${id}/layers/ink?revision=9`, `/api/documents/${id}/anchors/0?revision=9`]) assert.equal((await studio.ask(path)).status, 409);
+  for (const path of [`/api/documents/${id}/layers/ink?revision=9`, `/api/documents/${id}/anchors/0?revision=9`]) assert.equal((await studio.ask(path)).status, 204);
+  assert.equal((await studio.ask(`/api/documents/${id}/export/svg?revision=9`, { method: 'POST', body: '{}' })).status, 409);
   assert.equal((await studio.ask('/api/documents/0123')).status, 404);
 });
 
