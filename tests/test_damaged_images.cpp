@@ -38,6 +38,17 @@ TEST(DamagedImages, HolesInAJpegAreRefused) {
   }
 }
 
+TEST(DamagedImages, AJpegOfTwoChannelsIsRefused) {
+  std::string bytes = encode(grey_pix(8), IFF_JFIF_JPEG);
+  const std::size_t frame = bytes.find(std::string("\xff\xc0\0\x0b", 4));
+  ASSERT_NE(frame, std::string::npos);
+  EXPECT_EQ(bytes[frame + 9], 1);
+  bytes[frame + 3] = 14;
+  bytes[frame + 9] = 2;
+  bytes.insert(frame + 13, std::string("\x02\x11\0", 3));  // another that no scan is of
+  EXPECT_EQ(refusal(bytes), "'x.png' is truncated or damaged");
+}
+
 TEST(DamagedImages, TrailingBytesDoNoHarm) {
   for (const Sample& sample : samples()) {
     SCOPED_TRACE(sample.what);

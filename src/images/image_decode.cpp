@@ -73,7 +73,9 @@ bool read_jpeg(jpeg_decompress_struct& jpeg, JpegErrors& errors, std::span<const
   jpeg_create_decompress(&jpeg);
   jpeg_mem_src(&jpeg, unsigned_data(bytes), static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&jpeg, TRUE);
-  if (jpeg.num_components == 4) jpeg.out_color_space = JCS_CMYK;
+  const int channels = jpeg.num_components;
+  if (channels != 1 && channels != 3 && channels != 4) return false;  // what others stand for, nobody knows
+  if (channels == 4) jpeg.out_color_space = JCS_CMYK;
   jpeg_start_decompress(&jpeg);
   image.width = static_cast<int>(jpeg.output_width);
   image.height = static_cast<int>(jpeg.output_height);
