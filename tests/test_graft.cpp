@@ -15,7 +15,7 @@ constexpr int kSize = 200;
 
 // Distances from a vertical scribble at x = 100.
 TouchedPart around_the_middle() {
-  TouchedPart part{{0, 0, kSize, kSize}, Raster<float>(kSize, kSize)};
+  TouchedPart part{{0, 0, kSize, kSize}, Raster<float>(kSize, kSize), kSize, kSize};
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) part.distance(x, y) = static_cast<float>(std::abs(x + 0.5 - 100));
   return part;

@@ -40,6 +40,16 @@ TEST(Touched, DistancesRunAlongTheStroke) {
   EXPECT_EQ(distance_at(parts[0], {-5, 40}), kUnreached);
 }
 
+TEST(Touched, BeyondTheEdgeTheBandIsThatOfTheEdge) {
+  const Ink ink = drawn_ink({{{-10, 40}, {100, 40}}}, 6, 200);
+  const auto parts = touched_parts(mask_with(200, 200, 0.5f, [](int x, int) { return x < 10; }), ink, 0.3, 50);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(distance_at(parts[0], {-0.5, 40.5}), 0);
+  EXPECT_EQ(distance_at(parts[0], {-3, 40.5}), 0);
+  EXPECT_EQ(distance_at(parts[0], {-0.5, 60.5}), kUnreached);
+  EXPECT_EQ(distance_at(parts[0], {200.5, 40.5}), kUnreached);
+}
+
 TEST(Touched, PartsAreThoseThatTheBandConnects) {
   const Ink ink = drawn_ink({{{20, 40}, {180, 40}}, {{20, 80}, {180, 80}}}, 6, 200);
   const auto over_both = [](int x, int) { return x >= 95 && x < 105; };
@@ -316,6 +326,43 @@ TEST(Parts, AMaskOfOnesIsNone) {
 }
 
 // All of it under one scribble: nothing is kept.
+TEST(Parts, AStrokeThatLeavesTheImageIsScribbledAtItsEdge) {
+  Image image = blank(kWide, kHigh);
+  paint(image, {{-10, 60}, {kWide + 10, 60}}, 5);
+  paint(image, {{80, -10}, {80, kHigh + 10}}, 5);
+  for (const Vec2 edge : {Vec2{0, 60}, Vec2{kWide, 60}, Vec2{80, 0}, Vec2{80, kHigh}})
+    for (const float factor : {0.5f, 2.0f}) {
+      const ScaleMask mask = scribble_at(edge, 14, factor);
+      Control control;
+      control.mask = &mask;
+      const Stages s = run_stages(image, {}, control);
+      ASSERT_EQ(s.parts.size(), 1u);
+      EXPECT_TRUE(s.parts[0]->local);
+      const Stages& window = s.parts[0]->window.stages;
+      for (int f = 0; f < window.mesh.face_count(); ++f)
+        if (norm(window.mesh.barycentre(f) - edge) < 10) {
+          EXPECT_FALSE(s.parts[0]->window.known.faces[static_cast<std::size_t>(f)]) << "under the scribble nothing is kept";
+        }
+      Stages whole;
+      ASSERT_NO_THROW(whole = assembled(s)) << edge.x << ", " << edge.y << " times " << factor;
+      EXPECT_FALSE(whole.graph.edges.empty());
+    }
+}
+
+TEST(Parts, ChainsThatNowhereFitTheOldOnesTakeTheirPlace) {
+  Stages plain = with_mask(scribble_at({90, 45}, 9, 0.5f));
+  plain.parts.clear();
+  Window window;
+  Chain out_of_the_image;
+  out_of_the_image.points = {{90, 45}, {90, -60}};
+  window.stages.plain.chains = {out_of_the_image};
+  const Scribbled scribbled = solve_scribbles(plain, [&](const ScaleMask&, const TouchedPart&, double) { return window; });
+  ASSERT_EQ(scribbled.parts.size(), 1u);
+  EXPECT_FALSE(scribbled.parts[0]->local);
+  ASSERT_EQ(scribbled.chains.chains.size(), 1u);
+  EXPECT_EQ(scribbled.chains.chains[0].points, out_of_the_image.points);
+}
+
 TEST(Parts, AScribbleOverEverythingSolvesEverything) {
   const Stages s = with_mask(scribble_at({120, 80}, 500, 0.5f));
   for (const auto& part : s.parts)

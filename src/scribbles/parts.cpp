@@ -22,7 +22,7 @@ using PartPointer = std::shared_ptr<const SolvedPart>;
 
 // The whole drawing as one part.
 TouchedPart everything(const Ink& ink) {
-  return {{0, 0, ink.width(), ink.height()}, Raster<float>(ink.width(), ink.height(), 0.0f)};
+  return {{0, 0, ink.width(), ink.height()}, Raster<float>(ink.width(), ink.height(), 0.0f), ink.width(), ink.height()};
 }
 
 bool same(const TouchedPart& a, const TouchedPart& b) {

@@ -76,7 +76,7 @@ TouchedPart take_part(Raster<float>& distance, int x, int y) {
   };
   std::vector<Found> found{{x, y, distance(x, y)}};
   distance(x, y) = kUnreached;
-  TouchedPart part{{x, y, x + 1, y + 1}, {}};
+  TouchedPart part{{x, y, x + 1, y + 1}, {}, distance.width, distance.height};
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Found at = found[k];
     part.box = {std::min(part.box.x0, at.x), std::min(part.box.y0, at.y), std::max(part.box.x1, at.x + 1),
@@ -115,7 +115,8 @@ std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const Ink& ink, do
 }
 
 float distance_at(const TouchedPart& part, Vec2 p) {
-  const int x = static_cast<int>(std::floor(p.x)) - part.box.x0, y = static_cast<int>(std::floor(p.y)) - part.box.y0;
+  const auto pixel = [](double v, int count) { return static_cast<int>(std::clamp(std::floor(v), 0.0, count - 1.0)); };
+  const int x = pixel(p.x, part.width) - part.box.x0, y = pixel(p.y, part.height) - part.box.y0;
   return part.distance.contains(x, y) ? part.distance(x, y) : kUnreached;
 }
 

@@ -24,6 +24,7 @@ struct PixelBox {
 struct TouchedPart {
   PixelBox box;
   Raster<float> distance;  // over the box: px along the band to a scribble on the band; kUnreached further than `farthest`
+  int width, height;       // of the drawing
 };
 
 constexpr float kUnreached = 1e9f;
@@ -33,7 +34,7 @@ constexpr float kUnreached = 1e9f;
 // that of `reach` (strokes), widened by the mask.
 std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const Ink& ink, double reach, double farthest);
 
-// The distance at a point of the drawing.
+// The distance at a point of the drawing; the band goes on beyond its edge, where the nearest pixel counts.
 float distance_at(const TouchedPart& part, Vec2 p);
 
 }  // namespace inkgrid
