@@ -164,7 +164,7 @@ bool is_fill(const Piece& piece, const PenStrokes& strokes, const Raster<float>&
   const auto side = static_cast<float>(std::min(darkness.width, darkness.height));
   const bool everywhere = piece.pixels.size() == darkness.data.size();
   if (piece.depth < kSmallest || (piece.depth > side && !everywhere)) return false;
-  const int arms = arms_of(piece, strokes.depth);
+  const int arms = everywhere ? 0 : arms_of(piece, strokes.depth);  // where all is ink, depth has no bound
   double wider = is_uneven(piece, strokes, darkness) ? kWiderUneven : kWider;
   if (arms > 4) wider = std::max(wider, kWiderThanStar / std::sin(std::numbers::pi / arms));
   if (piece.stroke_depth == 0 && is_round(piece)) wider = std::max(wider, kWiderThanDots);
