@@ -254,7 +254,7 @@ TEST(Threshold, PureNoiseIsHarmless) {
 
 TEST(Threshold, FaintLineNextToAStrongOneIsKept) {
   for (const double distance : {7.0, 12.0, 100.0}) {
-    Image image = blank(400, 300);
+    Image image = blank(400, 400);
     const Vec2 shift{0, distance};
     paint(image, {kFrom, kTo}, 4, 10);
     paint(image, {kFrom + shift, kTo + shift}, 3, 195);
