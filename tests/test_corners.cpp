@@ -175,6 +175,14 @@ TEST(Arrival, FollowsArcsAndLines) {
   EXPECT_LT(std::abs(dot(arrival.direction, unit(radius))), 0.03);
 }
 
+// The ridge of a line that is all but level goes up and down with the steps of its pixels.
+TEST(Arrival, OfAStraightLineIsToldOfMoreThanItsLastStep) {
+  std::vector<Vec2> steps;
+  for (int k = 0; k <= 120; ++k) steps.push_back({20.0 + k, 30 + 0.05 * k + 0.25 * std::sin(2 * std::numbers::pi * k / 20)});
+  const Arrival arrival = arrival_at(ridge_along(steps, -1, -1, 0, 4), false);
+  EXPECT_NEAR(cross(arrival.direction, unit(Vec2{1, 0.05})), 0, 0.02);
+}
+
 TEST(Corners, AnArcWhoseMiddleIsNotConfirmedStaysRound) {
   // Sides of an arc meet outside it: at its rim there is no ink beyond.
   const Vec2 centre{100, 60};

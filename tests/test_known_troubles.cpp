@@ -143,6 +143,48 @@ TEST_P(EachAngle, AForkIsOneJunctionWhereTheStrokesMeet) {
 INSTANTIATE_TEST_SUITE_P(ThinForks, EachAngle, ::testing::Combine(::testing::Values(3.0), ::testing::Range(15, 65, 5)));
 INSTANTIATE_TEST_SUITE_P(Forks, EachAngle, ::testing::Combine(::testing::Values(6.0), ::testing::Range(15, 65, 5)));
 
+class EachCrossing : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(EachCrossing, StrokesGoOnThroughOneJunction) {
+  const auto [pen, degrees] = GetParam();
+  for (const double turn : {0.0, 17.0, 40.0, 73.0}) {
+    const double arm = 40 * pen, size = 2 * arm + 4 * pen;
+    const Vec2 centre{0.5 * size + 0.3, 0.5 * size - 0.3};
+    std::vector<Line> truth;
+    for (const double side : {-0.5, 0.5}) {
+      const Vec2 along = polar(arm, (turn + side * degrees) * kDegree);
+      truth.push_back({centre - along, centre + along});
+    }
+    const Drawing drawing = traced(painted(truth, pen, static_cast<int>(size), static_cast<int>(size)), Preset::clean);
+    EXPECT_EQ(drawing.curves.size(), 4u) << turn;
+    EXPECT_EQ(free_ends(drawing), 4) << turn;
+    ASSERT_EQ(drawing.junctions.size(), 1u) << turn;
+    EXPECT_LT(norm(drawing.junctions[0] - centre), pen * 15 / degrees) << turn;
+    EXPECT_LT(distance_between(lines_of(drawing), truth), 0.35 * pen + 0.3) << turn;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ThinCrossings, EachCrossing,
+                         ::testing::Combine(::testing::Values(4.5), ::testing::Values(15, 20, 25, 40)));
+INSTANTIATE_TEST_SUITE_P(Crossings, EachCrossing,
+                         ::testing::Combine(::testing::Values(6.0, 10.0), ::testing::Values(12, 15, 20, 25, 40)));
+
+// Two forks whose arms are in line with no arm of the other.
+TEST(Crossings, TwoForksWithALineBetweenThemAreNone) {
+  const double pen = 6, arm = 30 * pen;
+  const Vec2 left{20 + arm, 20 + arm}, right = left + Vec2{6 * pen, 0};
+  std::vector<Line> truth{{left, right}};
+  for (const double side : {-1.0, 1.0}) {
+    truth.push_back({left, left - polar(arm, side * 15 * kDegree)});
+    truth.push_back({right, right + polar(arm, side * 15 * kDegree)});
+  }
+  const Drawing drawing =
+      traced(painted(truth, pen, static_cast<int>(right.x + arm + 20), static_cast<int>(2 * left.y)), Preset::clean);
+  EXPECT_EQ(drawing.curves.size(), 5u);
+  EXPECT_EQ(drawing.junctions.size(), 2u);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 0.35 * pen + 0.3);
+}
+
 class EachCorner : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
 TEST_P(EachCorner, AnAcuteCornerIsSharpAndHasNoSpur) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "base/polyline.h"
@@ -45,6 +47,46 @@ TEST(Needles, AWayThatIsGoneBackAndGoneAgainIsGoneOnce) {
   const Chains after = drop_needles(before, 2, 80);
   EXPECT_NEAR(length_of(after), 90, 2);
   EXPECT_LT(farthest_from(before.chains[0].points, after.chains[0].points), 2);
+}
+
+std::vector<Vec2> with_loop(double radius) {
+  std::vector<Vec2> path{{0, 0}};
+  for (int k = 0; k <= 40; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 40;
+    path.push_back({30 + 0.1 * k + radius * std::sin(angle), radius * (1 - std::cos(angle))});
+  }
+  path.push_back({64, 0});
+  return path;
+}
+
+TEST(Knots, LoopsThatNoPaperFitsIntoAreUntied) {
+  Chains chains = one_chain(with_loop(2));
+  chains.chains[0].width = 3;
+  const Chains after = drop_knots(chains, 2);
+  EXPECT_NEAR(length_of(after), 64, 0.5);
+  EXPECT_EQ(after.chains[0].points.front(), chains.chains[0].points.front());
+  EXPECT_EQ(after.chains[0].points.back(), chains.chains[0].points.back());
+}
+
+TEST(Knots, TipsOfAcuteCornersStay) {
+  Chains chains = one_chain({{100, 10}, {20, -0.3}, {16, 0}, {20, 0.3}, {100, -10}});
+  chains.chains[0].width = 6;
+  EXPECT_LT(farthest_from({{16, 0}}, drop_knots(chains, 0).chains[0].points), 0.8);
+}
+
+TEST(Knots, LoopsAroundPaperAndRingsStay) {
+  Chains chains = one_chain(with_loop(4));
+  chains.chains[0].width = 3;
+  EXPECT_EQ(drop_knots(chains, 2).chains[0].points, chains.chains[0].points);
+  std::vector<Vec2> ring;
+  for (int k = 0; k <= 12; ++k)
+    ring.push_back({30 + 2 * std::cos(std::numbers::pi * (k % 12) / 6), 30 + 2 * std::sin(std::numbers::pi * (k % 12) / 6)});
+  Chains closed;
+  closed.chains.push_back({});
+  closed.chains[0].points = ring;
+  closed.chains[0].closed = true;
+  closed.chains[0].width = 5;
+  EXPECT_EQ(drop_knots(closed, 0).chains[0].points, ring);
 }
 
 TEST(Needles, AcuteCornersAndHatchingStay) {

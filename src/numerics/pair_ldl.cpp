@@ -331,12 +331,13 @@ INKGRID_WIDE_TOO void solve_pairs(FactorArrays factor, RealPair* pairs) {
   const Two* const blocks = reinterpret_cast<const Two*>(factor.blocks);
   for (int k = 0; k < factor.size; ++k) {
     const Two yk = y[k], p = {yk[0], yk[0]}, q = {yk[1], yk[1]};
-    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) y[factor.rows[e]] -= blocks[2 * e] * p + blocks[2 * e + 1] * q;
+    for (std::ptrdiff_t e = factor.starts[k]; e < factor.starts[k + 1]; ++e)
+      y[factor.rows[e]] -= blocks[2 * e] * p + blocks[2 * e + 1] * q;
   }
   for (int k = factor.size - 1; k >= 0; --k) {
     const RealPair pivoted = product(factor.inverse_pivots[k], pairs[k]);
     Two yk = {pivoted.p, pivoted.q};
-    for (int e = factor.starts[k]; e < factor.starts[k + 1]; ++e) {
+    for (std::ptrdiff_t e = factor.starts[k]; e < factor.starts[k + 1]; ++e) {
       const Two above = blocks[2 * e], below = blocks[2 * e + 1], v = y[factor.rows[e]];
       yk -= __builtin_shufflevector(above, below, 0, 2) * v[0] + __builtin_shufflevector(above, below, 1, 3) * v[1];
     }

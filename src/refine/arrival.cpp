@@ -10,6 +10,8 @@ namespace inkgrid {
 namespace {
 
 constexpr double kLongest = 4;        // strokes of which the line is told
+constexpr double kLongStraight = 14;  // strokes over which a line may be so straight that it is told of all of them
+constexpr double kStaircase = 0.3;    // px, by which the pixels move the ridge of such a line
 constexpr double kShrink = 0.7;       // of the length that no parabola explained
 constexpr double kBent = 0.35;        // strokes: beside what is not confirmed the ridge is bent by it
 constexpr double kStraight = 0.02;    // strokes: lesser sagittas are straight
@@ -101,6 +103,7 @@ class View {
   Arrival line_from(int last) const {
     const int bent = within(last, kBent * width_), from = inside(bent + 2 * step_) ? bent : last;
     Arrival arrival{true, point(last), {}, std::abs(last - first_)};
+    if (follow_straight(from, last, arrival)) return arrival;
     for (double span = kLongest * width_;; span *= kShrink) {
       const bool shortest = span <= width_;
       const int far = within(from, std::max(span, width_));
@@ -108,14 +111,37 @@ class View {
       arrival.direction = axis;
       const auto samples = samples_of(ridge_, from, far, step_, point(last), axis);
       if (samples.size() < 5) return arrival;
-      const double length = samples.front().x - samples.back().x, noise = kStraight * width_ + kNoise;
+      const double noise = kStraight * width_ + kNoise;
       auto curve = fitted_parabola(samples, false);
       if (!shortest && spread_about(samples, curve) > noise) continue;
-      if (shortest || std::abs(curve[2]) * length * length / 4 < noise) curve = fitted_parabola(samples, true);
-      arrival.point += curve[0] * quarter_turn(axis);
-      arrival.direction = unit(axis + curve[1] * quarter_turn(axis));
-      return arrival;
+      if (shortest || sagitta(samples, curve) < noise) curve = fitted_parabola(samples, true);
+      return led_by(curve, axis, arrival);
     }
+  }
+
+  // A straight stroke says more the longer it is: the pixels of one that is all but level go up and down slowly.
+  bool follow_straight(int from, int last, Arrival& arrival) const {
+    const double span = kLongStraight * width_;
+    const int far = within(from, span);
+    const Vec2 axis = unit(point(last) - point(far));
+    const auto samples = samples_of(ridge_, from, far, step_, point(last), axis);
+    if (samples.size() < 5 || norm(point(far) - point(from)) < kShrink * span) return false;
+    const auto line = fitted_parabola(samples, true);
+    if (spread_about(samples, line) >= kStaircase || sagitta(samples, fitted_parabola(samples, false)) >= kStaircase)
+      return false;
+    arrival = led_by(line, axis, arrival);
+    return true;
+  }
+
+  static double sagitta(const std::vector<Sample>& samples, const std::array<double, 3>& curve) {
+    const double length = samples.front().x - samples.back().x;
+    return std::abs(curve[2]) * length * length / 4;
+  }
+
+  static Arrival led_by(const std::array<double, 3>& curve, Vec2 axis, Arrival arrival) {
+    arrival.point += curve[0] * quarter_turn(axis);
+    arrival.direction = unit(axis + curve[1] * quarter_turn(axis));
+    return arrival;
   }
 
   const RidgeChain& ridge_;

@@ -20,9 +20,13 @@ constexpr double kPassed = 0.5;     // strokes by which an arm may have passed i
 constexpr double kWider = 0.15;     // half of what ink may be wider than a pen without a doubt, pens
 constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
 constexpr double kPaper = 1;        // px of paper that rough rims may leave on the way
+constexpr double kInLine = 0.98;    // cosine of the angle between the two arms of a stroke that goes on beyond a waist
+constexpr double kOffLine = 0.3;    // strokes by which one of them may miss the other
+constexpr double kBend = 0.015;     // the same for each px between them
+constexpr int kFarthest = 3;        // pens from a blot where its arms are looked at
 constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
 
-// Points [from, to) of a chain that the ink does not confirm.
+// Points [from, to) of a chain that the ink does not confirm; of none, -1, where it was united with the one before.
 struct Run {
   int chain, from, to;
   int blot = -1;
@@ -73,6 +77,7 @@ class Blotter {
     find_runs();
     unite_runs();
     find_arms();
+    unite_over_waists();
   }
 
   Blots meet() {
@@ -164,6 +169,79 @@ class Blotter {
     }
   }
 
+  // Where two strokes cross at a small angle there is a blot before and one behind the waist where they lie on each other, and
+  // which seems a stroke.
+  void unite_over_waists() {
+    for (int r = 0; r < static_cast<int>(runs_.size()); ++r)
+      if (const int next = next_blot(r); next >= 0)
+        if (const auto arms = crossing_over(r, next); !arms.empty()) unite(r, next, arms);
+  }
+
+  // The run after r on its chain that lies in another blot where strokes meet, or -1.
+  int next_blot(int r) const {
+    const auto arms = [&](int k) { return run(k).blot < 0 ? 0 : blots_[at(run(k).blot)].size(); };
+    int next = r + 1;
+    const auto on_chain = [&] { return next < static_cast<int>(runs_.size()) && run(next).chain == run(r).chain; };
+    while (on_chain() && arms(next) <= 2) ++next;
+    const bool found = arms(r) == 3 && on_chain() && arms(next) == 3 && run(next).blot != run(r).blot &&
+                       !stays_[at(run(r).blot)] && !stays_[at(run(next).blot)];
+    return found ? next : -1;
+  }
+
+  // The four arms of two strokes that cross between two runs, or none.  Beside such a blot the ridge may be bent by it: where
+  // arms do not go on in line there, they are looked at further away.
+  std::vector<Arm> crossing_over(int r, int next) const {
+    const auto points = ridge(run(r).chain).chain.points.begin();
+    const auto before = arms_but(run(r).blot, r, false), behind = arms_but(run(next).blot, next, true);
+    if (before.size() != 2 || behind.size() != 2 || norm(points[run(next).from] - points[run(r).to - 1]) > 2 * options_.longest)
+      return {};
+    for (int pens = 0; pens <= kFarthest; ++pens) {
+      const int away = static_cast<int>(pens * options_.pen);
+      const std::vector<Arm> arms{moved(before[0], away), moved(before[1], away), moved(behind[0], away), moved(behind[1], away)};
+      const bool straight = go_on(arms[0], arms[2]) && go_on(arms[1], arms[3]);
+      const bool crossed = go_on(arms[0], arms[3]) && go_on(arms[1], arms[2]);
+      if ((straight || crossed) && meeting_point(arms)) return arms;
+    }
+    return {};
+  }
+
+  // The same arm, so many points further away from the blot.
+  Arm moved(Arm arm, int away) const {
+    if (away == 0) return arm;
+    const RidgeChain& whole = ridge(run(arm.run).chain);
+    const int first = arm.before ? run(arm.run).from - 1 - away : run(arm.run).to + away;
+    arm.arrival = first < 0 || first >= size(run(arm.run).chain) ? Arrival{} : arrival_from(whole, first, !arm.before);
+    arm.arrival.last += away;
+    return arm;
+  }
+
+  std::vector<Arm> arms_but(int blot, int r, bool before) const {
+    std::vector<Arm> arms = blots_[at(blot)];
+    std::erase_if(arms, [&](const Arm& arm) { return arm.run == r && arm.before == before; });
+    return arms;
+  }
+
+  // Whether two arms are of one straight stroke.
+  bool go_on(const Arm& a, const Arm& b) const {
+    if (!a.arrival.known || !b.arrival.known || dot(a.arrival.direction, b.arrival.direction) > -kInLine) return false;
+    const Vec2 way = b.arrival.point - a.arrival.point;
+    const double miss = std::max(std::abs(cross(a.arrival.direction, way)), std::abs(cross(b.arrival.direction, way)));
+    return miss < kOffLine * std::max(width_of(a), width_of(b)) + kBend * norm(way);
+  }
+
+  // The runs from r to `last` become one, with all that lies between them.
+  void unite(int r, int last, std::vector<Arm> arms) {
+    const int kept = run(r).blot, gone = run(last).blot;
+    for (Arm& arm : arms)
+      if (arm.run == last) arm.run = r;
+    for (int k = r + 1; k <= last; ++k) blots_[at(run(k).blot)].clear();
+    blots_[at(kept)] = std::move(arms);
+    for (Run& other : runs_)
+      if (other.blot == gone) other.blot = kept;
+    run(r).to = run(last).to;
+    for (int k = r + 1; k <= last; ++k) run(k) = {-1, 0, 0};
+  }
+
   double width_of(const Arm& arm) const { return ridge(run(arm.run).chain).chain.width; }
 
   // Where the lines of all arms meet, in the least squares.
@@ -199,8 +277,9 @@ class Blotter {
     };
     const int blot = run(arms.front().run).blot;
     return std::all_of(runs_.begin(), runs_.end(), [&](const Run& here) {
+      if (here.blot != blot) return true;
       const auto points = ridge(here.chain).chain.points.begin();
-      return here.blot != blot || std::all_of(points + here.from, points + here.to, is_near);
+      return std::all_of(points + here.from, points + here.to, is_near);
     });
   }
 

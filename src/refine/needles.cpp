@@ -1,6 +1,7 @@
 #include "refine/needles.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/polyline.h"
@@ -11,6 +12,8 @@ namespace {
 constexpr double kTurnsBack = -0.5;  // cosine of the turn
 constexpr double kSide = 0.75;       // px to either side of a turn
 constexpr double kBlot = 2.5;        // distances around a junction that its own ink covers
+constexpr double kLongestKnot = 3;   // pens: it takes pi of them to go around a hole
+constexpr double kTip = -0.8;        // cosine between ways that cross: the sides of an acute corner cross before its tip
 constexpr double kBlend = 2;         // misses before the end, the path leaves for it
 
 // Of the turn at point k.
@@ -96,6 +99,34 @@ class Needles {
   std::vector<std::size_t> turns_;
 };
 
+// Where the segments [a, b] and [c, d] cross.
+std::optional<Vec2> crossing_of(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double sine = cross(b - a, d - c);
+  if (sine == 0) return std::nullopt;
+  const double s = cross(c - a, d - c) / sine, t = cross(c - a, b - a) / sine;
+  return s >= 0 && s < 1 && t >= 0 && t < 1 ? std::optional(lerp(a, b, s)) : std::nullopt;
+}
+
+void untie(std::vector<Vec2>& points, double longest) {
+  std::vector<Vec2> kept;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    kept.push_back(points[k]);
+    double length = 0;
+    std::size_t last = k;
+    Vec2 place;
+    for (std::size_t j = k + 1; j + 1 < points.size() && (length += norm(points[j] - points[j - 1])) <= longest; ++j) {
+      const Vec2 in = points[k + 1] - points[k], out = points[j + 1] - points[j];
+      const bool share_a_point = j == k + 1 || points[j + 1] == points[k];
+      if (share_a_point || dot(in, out) < kTip * norm(in) * norm(out)) continue;
+      if (const auto crossed = crossing_of(points[k], points[k + 1], points[j], points[j + 1])) last = j, place = *crossed;
+    }
+    if (last == k) continue;
+    kept.push_back(place);
+    k = last;
+  }
+  points = std::move(kept);
+}
+
 // The first point from the end at which the path turns back on its last `longest` px; its last point where there is none.
 std::size_t hook_at_end(const std::vector<Vec2>& points, const std::vector<double>& lengths, double longest) {
   std::size_t found = points.size() - 1;
@@ -172,6 +203,11 @@ class Hooks {
 };
 
 }  // namespace
+
+Chains drop_knots(Chains chains, double slimmed) {
+  for (Chain& chain : chains.chains) untie(chain.points, kLongestKnot * (chain.width + slimmed));
+  return chains;
+}
 
 Chains drop_hooks(Chains chains, double distance, double longest) {
   return Hooks(std::move(chains), distance, longest).dropped();

@@ -22,6 +22,7 @@ constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner
 constexpr double kShortBlot = 1.5;   // of the pen: where strokes that run side by side are one
 constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kLongestHook = 2;   // of the pen
+constexpr double kOnePlace = 0.25;   // of the pen: junctions nearer to each other than this are one
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
 constexpr double kStraight = 2;      // strokes: chains that are in line over this are one
@@ -122,8 +123,11 @@ class Refinement {
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
+    chains = drop_knots(std::move(chains), std::max(0.0, options_.pen - width_));
     chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * kLongestBlot * options_.pen);
-    chains = drop_spurs(drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen), resolution_.spur);
+    chains = drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen);
+    chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);
+    chains = drop_spurs(std::move(chains), resolution_.spur);
     return drop_overshoots(std::move(chains), blot_.overshoots);
   }
 
