@@ -119,8 +119,10 @@ class View {
     }
   }
 
-  // A straight stroke says more the longer it is: the pixels of one that is all but level go up and down slowly.
+  // A straight stroke says more the longer it is: the few pixels that slimming leaves across one that is all but level go up and
+  // down slowly.
   bool follow_straight(int from, int last, Arrival& arrival) const {
+    if (ridge_.slimmed <= 0) return false;
     const double span = kLongStraight * width_;
     const int far = within(from, span);
     const Vec2 axis = unit(point(last) - point(far));

@@ -123,7 +123,7 @@ class Refinement {
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
-    chains = drop_knots(std::move(chains), std::max(0.0, options_.pen - width_));
+    if (width_ < options_.pen) chains = drop_knots(std::move(chains), options_.pen - width_);
     chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * kLongestBlot * options_.pen);
     chains = drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen);
     chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);

@@ -338,7 +338,7 @@ void measure(RidgeChain& ridge, double stroke_width, double step) {
 std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const Ink& ink, const RidgeOptions& options) {
   std::vector<RidgeChain> ridges, wholes;
   for (const auto& chain : chains) {
-    ridges.push_back({chain, {}});
+    ridges.push_back({chain, {}, options.taken});
     ridges.back().chain.points = spaced_points(chain, options.step);
   }
   const auto strokes = strokes_of(chains, options.stroke_span);

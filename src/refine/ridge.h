@@ -21,6 +21,7 @@ struct CrossSection {
 struct RidgeChain {
   Chain chain;
   std::vector<CrossSection> sections;  // one a point
+  double slimmed = 0;                  // what was taken from the width of the stroke, px
 };
 
 struct RidgeOptions {
