@@ -68,6 +68,16 @@ TEST(Knots, LoopsThatNoPaperFitsIntoAreUntied) {
   EXPECT_EQ(after.chains[0].points.back(), chains.chains[0].points.back());
 }
 
+TEST(Knots, WaysFromAJunctionBackToItGoAroundPaperOrAreNone) {
+  for (const double half : {0.5, 8.0}) {
+    Chains chains = one_chain({{0, 0}, {20, half}, {40, 0}, {20, -half}, {0, 0}});
+    chains.junctions = {{0, 0}};
+    chains.chains[0].start_junction = chains.chains[0].end_junction = 0;
+    chains.chains[0].width = 6;
+    EXPECT_EQ(drop_knots(chains, 0).chains.size(), half > 6 ? 1u : 0u) << half;
+  }
+}
+
 TEST(Knots, TipsOfAcuteCornersStay) {
   Chains chains = one_chain({{100, 10}, {20, -0.3}, {16, 0}, {20, 0.3}, {100, -10}});
   chains.chains[0].width = 6;

@@ -1,6 +1,7 @@
 #include "refine/needles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@ constexpr double kTurnsBack = -0.5;  // cosine of the turn
 constexpr double kSide = 0.75;       // px to either side of a turn
 constexpr double kBlot = 2.5;        // distances around a junction that its own ink covers
 constexpr double kLongestKnot = 3;   // pens: it takes pi of them to go around a hole
+constexpr double kNoHole = 0.78;     // squared pens: the area of a circle of one pen, which has no hole
 constexpr double kTip = -0.8;        // cosine between ways that cross: the sides of an acute corner cross before its tip
 constexpr double kBlend = 2;         // misses before the end, the path leaves for it
 
@@ -105,6 +107,13 @@ std::optional<Vec2> crossing_of(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   if (sine == 0) return std::nullopt;
   const double s = cross(c - a, d - c) / sine, t = cross(c - a, b - a) / sine;
   return s >= 0 && s < 1 && t >= 0 && t < 1 ? std::optional(lerp(a, b, s)) : std::nullopt;
+}
+
+// Of what a closed path goes around.
+double area_of(const std::vector<Vec2>& points) {
+  double twice = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) twice += cross(points[k - 1] - points[0], points[k] - points[0]);
+  return std::abs(twice) / 2;
 }
 
 void untie(std::vector<Vec2>& points, double longest) {
@@ -206,6 +215,10 @@ class Hooks {
 
 Chains drop_knots(Chains chains, double slimmed) {
   for (Chain& chain : chains.chains) untie(chain.points, kLongestKnot * (chain.width + slimmed));
+  std::erase_if(chains.chains, [&](const Chain& chain) {
+    const double pen = chain.width + slimmed;
+    return chain.start_junction >= 0 && chain.start_junction == chain.end_junction && area_of(chain.points) < kNoHole * pen * pen;
+  });
   return chains;
 }
 

@@ -13,8 +13,8 @@ namespace inkgrid {
 Chains drop_needles(Chains chains, double distance, double longest);
 
 // Leaves out loops in which a chain crosses itself and that are too short to go around paper: up to three of the pen that drew
-// the chain.  The tips of acute corners, whose sides cross, are none.  `slimmed`: what was taken from the width of the strokes,
-// px.
+// the chain; and chains from a junction to itself around less than a pen's dot.  The tips of acute corners, whose sides cross,
+// are none.  `slimmed`: what was taken from the width of the strokes, px.
 Chains drop_knots(Chains chains, double slimmed);
 
 // Chains that pass a junction by at most `distance`, turn back within the last `longest` px, next to it or at most
