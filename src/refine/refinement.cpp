@@ -22,7 +22,7 @@ constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner
 constexpr double kShortBlot = 1.5;   // of the pen: where strokes that run side by side are one
 constexpr double kTrimmed = 2.5;     // of the pen
 constexpr double kLongestHook = 2;   // of the pen
-constexpr double kOneBlot = 0.5;     // of the pen: where two blots have met so near to each other, they are of one crossing
+constexpr double kOneBlot = 3;       // px: where two blots have met so near to each other, they are of one crossing
 constexpr double kOnePlace = 0.25;   // of the pen: junctions nearer to each other than this are one
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
@@ -109,7 +109,10 @@ class Refinement {
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
-    if (width_ < options_.pen) chains = merge_junctions(std::move(chains), kOneBlot * options_.pen, kOneBlot * options_.pen);
+    if (width_ < options_.pen) {
+      const double near = std::min(kOneBlot, 0.5 * options_.pen);
+      chains = merge_junctions(std::move(chains), near, near);
+    }
     chains = follow_strokes(std::move(chains), ink_, bridge_, 2 * width_);
     chains = drop_blot_loops(attach_ends(std::move(chains), ink_, ends_), ink_);
     chains = drop_spurs(drop_doubles(std::move(chains), resolution_.cell), resolution_.spur);
