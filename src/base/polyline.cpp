@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace inkgrid {
+namespace {
+
+constexpr double kParallel = 1e-6;  // sine of an angle below which a crossing has no place
+
+}  // namespace
 
 std::vector<double> lengths_along(const std::vector<Vec2>& path) {
   std::vector<double> lengths(path.size(), 0);
@@ -40,6 +45,14 @@ Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed) {
     if (!(t == Vec2{})) return t;
   }
   return {1, 0};
+}
+
+std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double denominator = cross(b - a, d - c);
+  if (std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c)) return std::nullopt;
+  const double s = cross(c - a, d - c) / denominator, t = cross(c - a, b - a) / denominator;
+  if (s < 0 || s >= 1 || t < 0 || t >= 1) return std::nullopt;
+  return std::pair{s, t};
 }
 
 }  // namespace inkgrid

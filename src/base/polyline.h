@@ -1,6 +1,8 @@
 // Small helpers on point sequences.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "inkgrid/vec2.h"
@@ -18,5 +20,9 @@ std::vector<Vec2> resampled(const std::vector<Vec2>& path, double step);
 
 // Unit tangent at point k from the points within `span` of it on either side (by index); closed paths wrap (front == back).
 Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed);
+
+// Parameters, 0..1, of the place where the segments a-b and c-d cross; their second ends are not counted, so that of a path each
+// point counts once.  Parallel ones do not cross.
+std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 }  // namespace inkgrid

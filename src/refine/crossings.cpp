@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/at.h"
+#include "base/polyline.h"
 
 namespace inkgrid {
 namespace {
-
-constexpr double kParallel = 1e-6;  // sine of an angle below which a crossing has no place
 
 // A segment of a chain, and the cell of the plane that it is listed in.
 struct Entry {
@@ -45,15 +43,6 @@ std::vector<Entry> entries_of(const std::vector<Chain>& chains, double cell) {
   }
   std::sort(entries.begin(), entries.end(), before);
   return entries;
-}
-
-// Parameters on both segments of the point where they cross, ends of the segments not counted twice.  Parallel ones do not.
-std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double denominator = cross(b - a, d - c);
-  if (std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c)) return std::nullopt;
-  const double s = cross(c - a, d - c) / denominator, t = cross(c - a, b - a) / denominator;
-  if (s < 0 || s >= 1 || t < 0 || t >= 1) return std::nullopt;
-  return std::pair{s, t};
 }
 
 bool near_end(const Chain& chain, int junction, Vec2 p, double near) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
+#include "base/contour.h"
 #include "base/polyline.h"
 
 namespace inkgrid {
@@ -101,21 +101,6 @@ class Needles {
   std::vector<std::size_t> turns_;
 };
 
-// Where the segments [a, b] and [c, d] cross.
-std::optional<Vec2> crossing_of(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double sine = cross(b - a, d - c);
-  if (sine == 0) return std::nullopt;
-  const double s = cross(c - a, d - c) / sine, t = cross(c - a, b - a) / sine;
-  return s >= 0 && s < 1 && t >= 0 && t < 1 ? std::optional(lerp(a, b, s)) : std::nullopt;
-}
-
-// Of what a closed path goes around.
-double area_of(const std::vector<Vec2>& points) {
-  double twice = 0;
-  for (std::size_t k = 1; k < points.size(); ++k) twice += cross(points[k - 1] - points[0], points[k] - points[0]);
-  return std::abs(twice) / 2;
-}
-
 void untie(std::vector<Vec2>& points, double longest) {
   std::vector<Vec2> kept;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -127,7 +112,8 @@ void untie(std::vector<Vec2>& points, double longest) {
       const Vec2 in = points[k + 1] - points[k], out = points[j + 1] - points[j];
       const bool share_a_point = j == k + 1 || points[j + 1] == points[k];
       if (share_a_point || dot(in, out) < kTip * norm(in) * norm(out)) continue;
-      if (const auto crossed = crossing_of(points[k], points[k + 1], points[j], points[j + 1])) last = j, place = *crossed;
+      if (const auto crossed = crossing(points[k], points[k + 1], points[j], points[j + 1]))
+        last = j, place = lerp(points[k], points[k + 1], crossed->first);
     }
     if (last == k) continue;
     kept.push_back(place);
@@ -217,7 +203,8 @@ Chains drop_knots(Chains chains, double slimmed) {
   for (Chain& chain : chains.chains) untie(chain.points, kLongestKnot * (chain.width + slimmed));
   std::erase_if(chains.chains, [&](const Chain& chain) {
     const double pen = chain.width + slimmed;
-    return chain.start_junction >= 0 && chain.start_junction == chain.end_junction && area_of(chain.points) < kNoHole * pen * pen;
+    return chain.start_junction >= 0 && chain.start_junction == chain.end_junction &&
+           std::abs(enclosed_area(chain.points)) < kNoHole * pen * pen;
   });
   return chains;
 }

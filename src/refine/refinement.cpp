@@ -109,7 +109,7 @@ class Refinement {
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
-    if (width_ < options_.pen) {
+    if (is_slimmed()) {
       const double near = std::min(kOneBlot, 0.5 * options_.pen);
       chains = merge_junctions(std::move(chains), near, near);
     }
@@ -128,7 +128,7 @@ class Refinement {
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
-    if (width_ < options_.pen) chains = drop_knots(std::move(chains), options_.pen - width_);
+    if (is_slimmed()) chains = drop_knots(std::move(chains), options_.pen - width_);
     chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * kLongestBlot * options_.pen);
     chains = drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen);
     chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);
@@ -137,6 +137,7 @@ class Refinement {
   }
 
  private:
+  bool is_slimmed() const { return width_ < options_.pen; }
   CornerOptions corners(double longest) const { return {longest, kTipMiss * options_.pen}; }
 
   const Ink& ink_;
