@@ -131,7 +131,7 @@ class Refinement {
     if (is_slimmed()) chains = drop_knots(std::move(chains), options_.pen - width_);
     chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * kLongestBlot * options_.pen);
     chains = drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen);
-    chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);
+    if (is_slimmed()) chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);
     chains = drop_spurs(std::move(chains), resolution_.spur);
     return drop_overshoots(std::move(chains), blot_.overshoots);
   }
