@@ -68,7 +68,7 @@ constexpr std::array kTable{
     OptionRow{"coverage-bins", &Options::coverage_bins, Stage::chains, "", 1, 1000, "6.3",
               "parts of a chain that must all hold ink"},
     OptionRow{"tolerance", &Options::tolerance, Stage::fit, "strokes", 0.001, 10, "6.3",
-              "largest distance of a curve from its chain"},
+              "largest distance of a curve from its chain, up to four times that for one of several strokes"},
     OptionRow{"threads", &Options::threads, Stage::none, "", 0, 1024, "",
               "workers, 0 for as many as the machine has; the result is the same"},
 };

@@ -356,7 +356,7 @@ std::vector<Fill> fitted_fills(const Stages& stages) {
 FitOptions fit_options_of(const Stages& stages) {
   const Options& options = stages.inputs.settled;
   const double width = stages.ink.stroke_width, corner = std::min(width, kCornerSpan * grid_ink(stages).stroke_width);
-  return {options.tolerance * width * pixel_of(stages), corner * pixel_of(stages), options.threads};
+  return {options.tolerance * width * pixel_of(stages), corner * pixel_of(stages), options.threads, width * pixel_of(stages)};
 }
 
 // Curves of an earlier run, and what they were fitted with.

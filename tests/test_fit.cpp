@@ -375,5 +375,28 @@ TEST(Fit, CurvesKeepWhatChainsKnow) {
   EXPECT_TRUE(drawing.curves[2].segments.back().p3 == drawing.junctions[2]);
 }
 
+// A line that strokes relay each other on: it moves by a pixel and a half over five.
+Line relayed_line() {
+  Line line;
+  for (int x = 0; x <= 200; ++x) line.push_back({x + 0.0, 1.5 * std::tanh((x - 100) / 2.5)});
+  return line;
+}
+
+TEST(Fit, WideChainsAreSmootherWithinFourTolerances) {
+  FitOptions options = kOptions;
+  options.usual_width = 4;
+  const Line line = relayed_line();
+  const auto cubics_of = [&](double width) {
+    Chains chains;
+    chains.chains.push_back({line, false, -1, -1, width, 1});
+    return fit_curves(chains, options).curves.front().segments;
+  };
+  const Cubics usual = cubics_of(4), wide = cubics_of(12);
+  EXPECT_LE(distance_both_ways(usual, line), 1.05 * options.tolerance);
+  EXPECT_EQ(usual.size(), cubics_of(2).size());
+  EXPECT_LT(wide.size(), usual.size());
+  EXPECT_LE(distance_both_ways(wide, line), 1.05 * 4 * options.tolerance);
+}
+
 }  // namespace
 }  // namespace inkgrid

@@ -26,6 +26,9 @@ constexpr double kRecutFactor = 0.75;
 constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 30;  // of least squares
 constexpr double kStraight = 0.12;  // of the tolerance: added to the error of the curve that a line is compared with
 
+constexpr double kLoosening = 2;  // tolerances a usual width that a chain is wider
+constexpr double kLoosest = 4;    // tolerances
+
 Cubic straight(Vec2 a, Vec2 b) {
   return {a, lerp(a, b, 1.0 / 3), lerp(a, b, 2.0 / 3), b};
 }
@@ -349,10 +352,17 @@ class Fitted {
   std::map<std::uint64_t, const Curve*> by_id_;
 };
 
+// Where the middle of several strokes runs is a matter of taste; that it is smooth is not.
+FitOptions options_for(const Chain& chain, FitOptions options) {
+  if (options.usual_width > 0)
+    options.tolerance *= std::clamp(1 + kLoosening * (chain.width / options.usual_width - 1), 1.0, kLoosest);
+  return options;
+}
+
 Curve curve_of(const Chain& chain, const FitOptions& options, const Fitted& before) {
   const std::uint64_t id = digest(chain.points);
   const Curve* const known = before.find(id, chain);
-  return {known ? known->segments : fit_polyline(chain.points, has_free_seam(chain), options),
+  return {known ? known->segments : fit_polyline(chain.points, has_free_seam(chain), options_for(chain, options)),
           chain.closed,
           chain.width,
           chain.coverage,

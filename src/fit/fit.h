@@ -13,9 +13,10 @@
 namespace inkgrid {
 
 struct FitOptions {
-  double tolerance = 1;    // px: no point of a chain is further from its curve
+  double tolerance = 1;    // px: no point of a chain of the usual width is further from its curve
   double corner_span = 6;  // px: a turn completed within this length is a corner, not a bend (about a stroke width)
   int threads = 0;         // 0: as many as the machine has
+  double usual_width = 0;  // px: for chains wider than that the tolerance grows, up to four times; 0: it is the same for all
 
   friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
