@@ -12,6 +12,7 @@
 #include "ink/pen_strokes.h"
 #include "ink/preset.h"
 #include "options.h"
+#include "refine/crossings.h"
 #include "refine/ends.h"
 #include "refine/flanking.h"
 #include "refine/leftovers.h"
@@ -222,8 +223,9 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
-  return join_flanking(std::move(chains),
-                       {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width, stages.bundles.sketchiness});
+  const double width = stages.ink.stroke_width;
+  chains = join_flanking(std::move(chains), {stages.ink.width(), stages.ink.height(), width, stages.bundles.sketchiness});
+  return join_touching_corners(std::move(chains), width);
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {

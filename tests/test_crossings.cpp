@@ -98,5 +98,47 @@ TEST(Crossings, AsManyAsEachPairOfSegmentsHas) {
   }
 }
 
+std::vector<Vec2> dense(const std::vector<Vec2>& vertices) {
+  std::vector<Vec2> points{vertices.front()};
+  for (std::size_t v = 0; v + 1 < vertices.size(); ++v) {
+    const int pieces = static_cast<int>(norm(vertices[v + 1] - vertices[v]));
+    for (int k = 1; k <= pieces; ++k) points.push_back(lerp(vertices[v], vertices[v + 1], static_cast<double>(k) / pieces));
+  }
+  return points;
+}
+
+// A line from left to right, and a corner whose tip is `gap` px above its middle.
+Chains corner_above_line(double gap, double half_opening) {
+  return {{},
+          {chain_of(dense({{0, 50}, {100, 50}})),
+           chain_of(dense({{50 - half_opening, 10}, {50, 50 - gap}, {50 + half_opening, 10}}))}};
+}
+
+TEST(Crossings, ACornerThatTouchesALineIsJoinedWithIt) {
+  for (const double gap : {0.5, 2.0, 3.5}) {
+    const Chains joined = join_touching_corners(corner_above_line(gap, 20), 4);
+    ASSERT_EQ(joined.junctions.size(), 1u) << gap;
+    EXPECT_NEAR(norm(joined.junctions[0] - Vec2{50, 50}), 0, 1e-9);
+    EXPECT_EQ(joined.chains.size(), 4u);
+    expect_ends_on_junctions(joined, 4);
+  }
+}
+
+TEST(Crossings, WhatIsFartherAndWhatIsBluntIsNone) {
+  EXPECT_TRUE(join_touching_corners(corner_above_line(4.5, 20), 4).junctions.empty());
+  EXPECT_TRUE(join_touching_corners(corner_above_line(2, 60), 4).junctions.empty());
+  Chains ends = corner_above_line(2, 20);
+  ends.chains[0].points = dense({{0, 50}, {53, 50}});
+  EXPECT_TRUE(join_touching_corners(ends, 4).junctions.empty());
+}
+
+TEST(Crossings, TwoCornersTipToTipAreOneCrossing) {
+  const Chains tips{{}, {chain_of(dense({{30, 10}, {50, 49}, {70, 10}})), chain_of(dense({{30, 90}, {50, 51}, {70, 90}}))}};
+  const Chains joined = join_touching_corners(tips, 4);
+  EXPECT_EQ(joined.junctions.size(), 1u);
+  EXPECT_EQ(joined.chains.size(), 4u);
+  expect_ends_on_junctions(joined, 4);
+}
+
 }  // namespace
 }  // namespace inkgrid

@@ -9,6 +9,8 @@
 namespace inkgrid {
 namespace {
 
+constexpr double kSharp = 0.17;  // cosine: corners turn by more than 80 degrees
+
 // A segment of a chain, and the cell of the plane that it is listed in.
 struct Entry {
   int x, y;
@@ -120,10 +122,7 @@ std::vector<Chain> split(const Chain& chain, std::vector<Cut> cuts) {
   return pieces;
 }
 
-}  // namespace
-
-Chains join_crossings(Chains chains, double near) {
-  const auto cuts = cuts_of(chains, std::max(1.0, near), near);
+Chains cut_at(Chains chains, const std::vector<std::vector<Cut>>& cuts) {
   std::vector<Chain> result;
   for (std::size_t c = 0; c < chains.chains.size(); ++c) {
     if (cuts[c].empty()) {
@@ -135,6 +134,94 @@ Chains join_crossings(Chains chains, double near) {
   }
   chains.chains = std::move(result);
   return chains;
+}
+
+// Of a corner: the turn between the points `near` px before and behind it, as its cosine.
+double turn_at(const std::vector<Vec2>& points, const std::vector<double>& lengths, std::size_t k, double near) {
+  const Vec2 p = points[k];
+  return dot(unit(p - point_at(points, lengths, lengths[k] - near)), unit(point_at(points, lengths, lengths[k] + near) - p));
+}
+
+// The points of a chain at which it turns sharply, each the sharpest within `near` px and further than that from the chain's
+// ends.
+std::vector<int> sharp_corners(const Chain& chain, double near) {
+  const auto& points = chain.points;
+  const auto lengths = lengths_along(points);
+  std::vector<double> turns(points.size(), 1);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (lengths[k] > near && lengths.back() - lengths[k] > near) turns[k] = turn_at(points, lengths, k, near);
+  std::vector<int> corners;
+  double last = -near;  // length at the last one
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (turns[k] >= kSharp) continue;
+    const bool sharper = !corners.empty() && lengths[k] - last < near;
+    if (sharper && turns[k] >= turns[at(corners.back())]) continue;
+    if (sharper) corners.pop_back();
+    corners.push_back(static_cast<int>(k));
+    last = lengths[k];
+  }
+  return corners;
+}
+
+// The place of another chain that is nearest to a point.
+struct Touch {
+  int chain = -1;
+  int segment = 0;
+  double parameter = 0;
+  Vec2 point;
+};
+
+// The nearest one within `near` px, which is the side of the cells of `entries`; none where that chain has an end about there.
+Touch nearest_touch(const std::vector<Chain>& chains, const std::vector<Entry>& entries, int except, Vec2 p, double near) {
+  Touch best;
+  double nearest = near;
+  const int column = static_cast<int>(std::floor(p.x / near)), row = static_cast<int>(std::floor(p.y / near));
+  for (int y = row - 1; y <= row + 1; ++y) {
+    auto entry = std::lower_bound(entries.begin(), entries.end(), Entry{column - 1, y, -1, 0}, before);
+    for (; entry != entries.end() && entry->y == y && entry->x <= column + 1; ++entry) {
+      if (entry->chain == except) continue;
+      const auto& points = chains[at(entry->chain)].points;
+      const Vec2 a = points[at(entry->segment)], along = points[at(entry->segment) + 1] - a;
+      const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-12), 0.0, 1.0);
+      const Vec2 q = a + t * along;
+      if (norm(p - q) < nearest) best = {entry->chain, entry->segment, t, q}, nearest = norm(p - q);
+    }
+  }
+  if (best.chain < 0) return best;
+  const Chain& other = chains[at(best.chain)];
+  const bool at_end = !other.closed && std::min(norm(other.points.front() - p), norm(other.points.back() - p)) < 2 * near;
+  return at_end ? Touch{} : best;
+}
+
+std::vector<std::vector<Cut>> touches_of(Chains& chains, double near) {
+  std::vector<std::vector<Cut>> cuts(chains.chains.size());
+  const auto entries = entries_of(chains.chains, near);
+  std::vector<Vec2> found;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const int k : sharp_corners(chains.chains[at(c)], near)) {
+      const Vec2 p = chains.chains[at(c)].points[at(k)];
+      const Touch touch = nearest_touch(chains.chains, entries, c, p, near);
+      const auto close = [&](Vec2 q) { return norm(q - p) < 2 * near; };
+      if (touch.chain < 0 || std::any_of(found.begin(), found.end(), close)) continue;
+      const int junction = static_cast<int>(chains.junctions.size());
+      chains.junctions.push_back(touch.point);
+      cuts[at(c)].push_back({k, 0, junction, touch.point});
+      cuts[at(touch.chain)].push_back({touch.segment, touch.parameter, junction, touch.point});
+      found.push_back(touch.point);
+    }
+  return cuts;
+}
+
+}  // namespace
+
+Chains join_crossings(Chains chains, double near) {
+  const auto cuts = cuts_of(chains, std::max(1.0, near), near);
+  return cut_at(std::move(chains), cuts);
+}
+
+Chains join_touching_corners(Chains chains, double near) {
+  const auto cuts = touches_of(chains, near);
+  return cut_at(std::move(chains), cuts);
 }
 
 }  // namespace inkgrid
