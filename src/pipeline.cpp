@@ -17,6 +17,7 @@
 #include "refine/flanking.h"
 #include "refine/leftovers.h"
 #include "refine/refinement.h"
+#include "refine/zigzags.h"
 #include "run_report.h"
 #include "scribbles/assembled.h"
 #include "scribbles/parts.h"
@@ -225,7 +226,7 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   if (options.bundles != BundleMode::join) return chains;
   const double width = stages.ink.stroke_width;
   chains = join_flanking(std::move(chains), {stages.ink.width(), stages.ink.height(), width, stages.bundles.sketchiness});
-  return join_touching_corners(std::move(chains), width);
+  return drop_zigzags(join_touching_corners(std::move(chains), width), width);
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {

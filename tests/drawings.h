@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/polyline.h"
 #include "inkgrid/image.h"
 #include "inkgrid/vec2.h"
 
@@ -15,10 +16,7 @@ inline Image blank(int width, int height, std::uint8_t grey = 255) {
   return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), grey), 0};
 }
 
-inline double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const double t = norm2(b - a) > 0 ? std::clamp(dot(p - a, b - a) / norm2(b - a), 0.0, 1.0) : 0.0;
-  return norm(p - lerp(a, b, t));
-}
+using inkgrid::distance_to_segment;
 
 // Darkens the image along the polyline; `width` in px.
 inline void paint(Image& image, const std::vector<Vec2>& line, double width, double grey = 0) {

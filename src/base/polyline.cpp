@@ -55,4 +55,13 @@ std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d
   return std::pair{s, t};
 }
 
+double nearest_parameter(Vec2 p, Vec2 a, Vec2 b) {
+  const double length2 = norm2(b - a);
+  return length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0;
+}
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  return norm(p - lerp(a, b, nearest_parameter(p, a, b)));
+}
+
 }  // namespace inkgrid

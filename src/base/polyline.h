@@ -25,4 +25,9 @@ Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed);
 // point counts once.  Parallel ones do not cross.
 std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
+// Where on the segment a-b, 0..1, the point nearest to p lies; 0 on one of no length.
+double nearest_parameter(Vec2 p, Vec2 a, Vec2 b);
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b);
+
 }  // namespace inkgrid

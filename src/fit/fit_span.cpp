@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/at.h"
+#include "base/polyline.h"
 #include "fit/fit_spline.h"
 
 namespace inkgrid {
@@ -102,12 +103,6 @@ std::vector<int> places_in(const Bracket& bracket) {
   return places;
 }
 
-double distance_to_chord(Vec2 p, Vec2 a, Vec2 b) {
-  const double length2 = norm2(b - a);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0;
-  return norm(p - lerp(a, b, t));
-}
-
 class Cutter {
  public:
   Cutter(const Samples& samples, const CutOptions& options) : samples_(samples), options_(options) {}
@@ -148,7 +143,7 @@ class Cutter {
       int furthest = -1;
       double most = kPolygon * options_.limit;
       for (int i = a + 1; i < b; ++i) {
-        const double d = distance_to_chord(samples_.points[at(i)], samples_.points[at(a)], samples_.points[at(b)]);
+        const double d = distance_to_segment(samples_.points[at(i)], samples_.points[at(a)], samples_.points[at(b)]);
         if (d > most) most = d, furthest = i;
       }
       if (furthest >= 0) {

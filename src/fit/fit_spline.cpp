@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/at.h"
+#include "base/polyline.h"
 #include "fit/fit_band_solver.h"
 
 namespace inkgrid {
@@ -267,12 +268,6 @@ bool is_fair(const Cubic& cubic) {
   return total < 1.6 * std::numbers::pi;
 }
 
-double distance_to_edge(Vec2 p, Vec2 a, Vec2 b) {
-  const double length2 = norm2(b - a);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0;
-  return norm(p - lerp(a, b, t));
-}
-
 // The piece of the spline between two consecutive feet against the edge between their points.
 void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics, double from, double to, Vec2 a, Vec2 b,
                    std::vector<double>& worst) {
@@ -286,7 +281,7 @@ void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics,
     const double foot = from + (to - from) * i / pieces;
     const auto [segment, t] = place_of(spline, foot >= n ? foot - n : foot);
     double& w = worst[at(segment)];
-    w = std::max(w, distance_to_edge(point_on(cubics[at(segment)], t), a, b));
+    w = std::max(w, distance_to_segment(point_on(cubics[at(segment)], t), a, b));
   }
 }
 

@@ -269,11 +269,8 @@ class Blotter {
     double beside = options_.pen;
     for (const Arm& arm : arms) beside = std::max(beside, width_of(arm));
     const auto is_near = [&](Vec2 p) {
-      return std::any_of(arms.begin(), arms.end(), [&](const Arm& arm) {
-        const Vec2 way = meeting - arm.arrival.point;
-        const double s = norm2(way) > 0 ? std::clamp(dot(p - arm.arrival.point, way) / norm2(way), 0.0, 1.0) : 0;
-        return norm(p - arm.arrival.point - s * way) < kBeside * beside;
-      });
+      return std::any_of(arms.begin(), arms.end(),
+                         [&](const Arm& arm) { return distance_to_segment(p, arm.arrival.point, meeting) < kBeside * beside; });
     };
     const int blot = run(arms.front().run).blot;
     return std::all_of(runs_.begin(), runs_.end(), [&](const Run& here) {

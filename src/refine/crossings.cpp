@@ -181,9 +181,9 @@ Touch nearest_touch(const std::vector<Chain>& chains, const std::vector<Entry>& 
     for (; entry != entries.end() && entry->y == y && entry->x <= column + 1; ++entry) {
       if (entry->chain == except) continue;
       const auto& points = chains[at(entry->chain)].points;
-      const Vec2 a = points[at(entry->segment)], along = points[at(entry->segment) + 1] - a;
-      const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-12), 0.0, 1.0);
-      const Vec2 q = a + t * along;
+      const Vec2 a = points[at(entry->segment)], b = points[at(entry->segment) + 1];
+      const double t = nearest_parameter(p, a, b);
+      const Vec2 q = lerp(a, b, t);
       if (norm(p - q) < nearest) best = {entry->chain, entry->segment, t, q}, nearest = norm(p - q);
     }
   }

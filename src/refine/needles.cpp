@@ -88,9 +88,8 @@ class Needles {
   // Whether the path from one point to another does.
   bool passes(Vec2 p, std::size_t from, std::size_t to) const {
     for (std::size_t k = from; k < to; ++k) {
-      const Vec2 a = points_[k], along = points_[k + 1] - a;
-      const double share = norm2(along) > 0 ? std::clamp(dot(p - a, along) / norm2(along), 0.0, 1.0) : 0;
-      if (norm2(p - a - share * along) <= distance2_) return true;
+      const Vec2 a = points_[k], b = points_[k + 1];
+      if (norm2(p - lerp(a, b, nearest_parameter(p, a, b))) <= distance2_) return true;
     }
     return false;
   }

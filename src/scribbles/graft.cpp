@@ -73,7 +73,7 @@ class SegmentBins {
   Spot spot_on(const Entry& e, Vec2 p) const {
     const auto& points = chains_[at(e.chain)].points;
     const Vec2 a = points[at(e.segment)], b = points[at(e.segment + 1)];
-    const double t = norm2(b - a) > 0 ? std::clamp(dot(p - a, b - a) / norm2(b - a), 0.0, 1.0) : 0.0;
+    const double t = nearest_parameter(p, a, b);
     return {e.chain, e.segment + t, lerp(a, b, t), norm(p - lerp(a, b, t))};
   }
 
