@@ -16,6 +16,7 @@
 #include "refine/ends.h"
 #include "refine/flanking.h"
 #include "refine/leftovers.h"
+#include "refine/needles.h"
 #include "refine/refinement.h"
 #include "refine/zigzags.h"
 #include "run_report.h"
@@ -29,6 +30,8 @@ namespace {
 
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
+constexpr double kPassed = 0.7;      // strokes, by which a chain of a bundle may pass its junction
+constexpr double kHook = 3;          // strokes, the longest way back to it
 constexpr double kSlit = 2;          // reaches, of the band from both sides: two strokes of one line leave no more between them
 
 // What a run leaves behind: all that its stages made, for pictures and for running again, or only what the next stages need.
@@ -226,7 +229,7 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   if (options.bundles != BundleMode::join) return chains;
   const double width = stages.ink.stroke_width;
   chains = join_flanking(std::move(chains), {stages.ink.width(), stages.ink.height(), width, stages.bundles.sketchiness});
-  return drop_zigzags(join_touching_corners(std::move(chains), width), width);
+  return drop_hooks(drop_zigzags(join_touching_corners(std::move(chains), width), width), kPassed * width, kHook * width);
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {

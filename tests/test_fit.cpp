@@ -5,6 +5,7 @@
 #include <random>
 
 #include "fit/fit.h"
+#include "fit/fit_spline.h"
 #include "lines_to_fit.h"
 
 namespace inkgrid {
@@ -396,6 +397,22 @@ TEST(Fit, WideChainsAreSmootherWithinFourTolerances) {
   EXPECT_EQ(usual.size(), cubics_of(2).size());
   EXPECT_LT(wide.size(), usual.size());
   EXPECT_LE(distance_both_ways(wide, line), 1.05 * 4 * options.tolerance);
+}
+
+// The deviation of a single segment from the points of its own curve.
+double own_deviation(const Cubic& c) {
+  const Vec2 out = c.p1 - c.p0, in = c.p3 - c.p2;
+  const SmoothSpline spline{{c.p0, c.p3}, {std::atan2(out.y, out.x), std::atan2(in.y, in.x)}, {{norm(out), norm(in)}}, false};
+  const Samples samples = sample_polyline(sampled({c}, 200), false, 1);
+  Feet feet;
+  for (const double arc : samples.arc) feet.push_back(arc / samples.arc.back());
+  return deviations(spline, feet, samples).front();
+}
+
+TEST(Fit, ACurveThatTurnsThereAndBackAtOnceIsNone) {
+  EXPECT_TRUE(std::isinf(own_deviation({{0, 0}, {150, 66}, {-8, 2}, {165, 104}})));
+  EXPECT_FALSE(std::isinf(own_deviation({{0, 0}, {60, 17}, {100, 80}, {165, 104}})));
+  EXPECT_FALSE(std::isinf(own_deviation({{0, 0}, {40, 90}, {60, -90}, {100, 0}})));
 }
 
 }  // namespace

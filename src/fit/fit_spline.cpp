@@ -17,6 +17,8 @@ constexpr int kFootSteps = 5;                  // of Newton's method, at most: j
 constexpr double kFootSettled = 1e-4;
 constexpr double kThirdsWeight = 2e-6;  // of the pull of handles towards a third of the length, which evens the speed
 constexpr double kShortestHandle = 0.04, kLongestHandle = 0.8;  // of the segment's length
+constexpr double kThereAndBack = 1.2;                           // rad
+constexpr double kBend = 24;                                    // steps of the samples: three strokes
 constexpr double kSharpestTurn = 55 * std::numbers::pi / 180;   // within 1/16 of a segment's parameter: else it is a kink
 
 // The eight unknowns of one segment, in this order.
@@ -255,17 +257,43 @@ class Fitter {
   std::vector<double> thirds_, pull_;  // per segment: a third of its length at first, the weight that draws handles to it
 };
 
-bool is_fair(const Cubic& cubic) {
-  constexpr int kSteps = 16;
+constexpr int kTurningSteps = 32;
+
+// How the direction changes from each place to the next, rad.
+std::array<double, kTurningSteps> turns_of(const Cubic& cubic) {
+  std::array<double, kTurningSteps> turns{};
+  for (int i = 0; i < kTurningSteps; ++i) {
+    const Vec2 a = velocity_on(cubic, static_cast<double>(i) / kTurningSteps),
+               b = velocity_on(cubic, static_cast<double>(i + 1) / kTurningSteps);
+    turns[at(i)] = std::atan2(cross(a, b), dot(a, b));
+  }
+  return turns;
+}
+
+// Whether the curve turns one way and back again within `length` px.
+bool wriggles(const Cubic& cubic, const std::array<double, kTurningSteps>& turns, double length) {
+  std::array<double, kTurningSteps> arc{};
+  for (int i = 0; i + 1 < kTurningSteps; ++i)
+    arc[at(i + 1)] = arc[at(i)] + norm(velocity_on(cubic, (i + 0.5) / kTurningSteps)) / kTurningSteps;
+  double total = 0, net = 0;
+  for (int first = 0, i = 0; i < kTurningSteps; ++i) {
+    total += std::abs(turns[at(i)]), net += turns[at(i)];
+    for (; arc[at(i)] - arc[at(first)] > length; ++first) total -= std::abs(turns[at(first)]), net -= turns[at(first)];
+    if (total - std::abs(net) > kThereAndBack) return true;
+  }
+  return false;
+}
+
+// `bend`, px: what is shorter is no bend that a pen draws.
+bool is_fair(const Cubic& cubic, double bend) {
+  const auto turns = turns_of(cubic);
   double total = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const Vec2 a = velocity_on(cubic, static_cast<double>(i) / kSteps),
-               b = velocity_on(cubic, static_cast<double>(i + 1) / kSteps);
-    const double turn = std::abs(std::atan2(cross(a, b), dot(a, b)));
+  for (int i = 0; i < kTurningSteps; i += 2) {
+    const double turn = std::abs(turns[at(i)] + turns[at(i + 1)]);
     if (turn > kSharpestTurn) return false;
     total += turn;
   }
-  return total < 1.6 * std::numbers::pi;
+  return total < 1.6 * std::numbers::pi && !wriggles(cubic, turns, bend);
 }
 
 // The piece of the spline between two consecutive feet against the edge between their points.
@@ -322,8 +350,9 @@ std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, con
     w = std::max(w, gaps[i]);
     if (i > 0) measure_piece(spline, cubics, feet[i - 1], feet[i], samples.points[i - 1], samples.points[i], worst);
   }
+  const double bend = kBend * samples.arc.back() / static_cast<double>(samples.points.size());
   for (std::size_t k = 0; k < cubics.size(); ++k)
-    if (!is_fair(cubics[k])) worst[k] = std::numeric_limits<double>::infinity();
+    if (!is_fair(cubics[k], bend)) worst[k] = std::numeric_limits<double>::infinity();
   return worst;
 }
 

@@ -45,7 +45,7 @@ struct RefineOptions {
 void refine_spline(SmoothSpline& spline, Feet& feet, const Samples& samples, const std::vector<double>& weights,
                    const RefineOptions& options);
 
-// For each segment, the largest distance between it and the polyline, measured both ways; infinite where it folds or kinks.
+// For each segment, the largest distance between it and the polyline, measured both ways; infinite where it folds, kinks or wriggles.
 std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, const Samples& samples);
 
 // Distance of each point to its foot.
