@@ -12,17 +12,15 @@
 #include "ink/pen_strokes.h"
 #include "ink/preset.h"
 #include "options.h"
-#include "refine/crossings.h"
 #include "refine/ends.h"
-#include "refine/flanking.h"
 #include "refine/leftovers.h"
-#include "refine/needles.h"
 #include "refine/refinement.h"
-#include "refine/zigzags.h"
+#include "reuse.h"
 #include "run_report.h"
 #include "scribbles/assembled.h"
 #include "scribbles/parts.h"
 #include "scribbles/window.h"
+#include "settings.h"
 #include "stopwatch.h"
 
 namespace inkgrid {
@@ -30,8 +28,6 @@ namespace {
 
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
-constexpr double kPassed = 0.7;      // strokes, by which a chain of a bundle may pass its junction
-constexpr double kHook = 3;          // strokes, the longest way back to it
 constexpr double kSlit = 2;          // reaches, of the band from both sides: two strokes of one line leave no more between them
 
 // What a run leaves behind: all that its stages made, for pictures and for running again, or only what the next stages need.
@@ -49,86 +45,6 @@ void validate_input(const Image& image, const ScaleMask* mask) {
     throw Error(ErrorCode::usage, "the mask is " + std::to_string(mask->width) + " x " + std::to_string(mask->height) +
                                       " pixels, but the drawing is " + std::to_string(image.width) + " x " +
                                       std::to_string(image.height));
-}
-
-bool same_pixels(const Image& a, const Image& b) {
-  return a.width == b.width && a.height == b.height && a.grey == b.grey;
-}
-
-bool same_mask(const std::optional<ScaleMask>& a, const std::optional<ScaleMask>& b) {
-  if (!a || !b) return !a && !b;
-  return a->width == b->width && a->height == b->height && a->factor == b->factor;
-}
-
-// An image that was released is that of no other run.
-bool same_ink(const Inputs& a, const Inputs& b) {
-  return !a.image.grey.empty() && same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold &&
-         a.options.fills == b.options.fills;
-}
-
-// Strokes of a rough drawing are wider than its pen.
-int enlargement_for(const std::optional<Preset>& of_fine_pen, Preset given) {
-  if (!of_fine_pen) return 1;
-  return (given == Preset::automatic ? *of_fine_pen : given) == Preset::clean ? kEnlargement : 1;
-}
-
-// Whether the ink of an earlier run is that of these inputs.
-bool is_ink_of(const Stages& before, const Inputs& now) {
-  return same_ink(before.inputs, now) && enlargement_for(before.of_fine_pen, now.options.preset) == before.ink.enlargement;
-}
-
-Preset preset_of(const Stages& measured, Preset given) {
-  return given == Preset::automatic && measured.of_fine_pen ? *measured.of_fine_pen : choose_preset(given, measured.ink);
-}
-
-// What the drawing decides is decided.  `measured`: ink, which may be that of an earlier run.
-void settle(Inputs& inputs, const Stages& measured) {
-  const Inputs& before = measured.inputs;
-  const bool known = &before != &inputs && inputs.options.preset == before.options.preset;
-  Options& settled = inputs.settled = inputs.options;
-  settled.preset = known ? before.settled.preset : preset_of(measured, inputs.options.preset);
-  const PresetValues values = preset_values(settled.preset, measured.ink.stroke_width, measured.ink.enlargement);
-  settled.reach = inputs.options.reach.value_or(values.reach);
-  settled.spacing = inputs.options.spacing.value_or(values.spacing);
-  settled.gap = inputs.options.gap.value_or(values.gap);
-  // Who gives a reach or a spacing has said which strokes are one line.
-  const bool told = inputs.options.reach || inputs.options.spacing;
-  if (settled.bundles == BundleMode::automatic)
-    settled.bundles = settled.preset == Preset::rough && !told ? BundleMode::join : BundleMode::keep;
-}
-
-// Whether the grid is to work on the same ink with another spacing.
-bool same_ground(const Stages& before, double spacing) {
-  return same_slimming(*before.inputs.settled.spacing, spacing) ||
-         (before.slim.mask.data.empty() && !is_slimmed(before.ink, spacing));
-}
-
-Stage first_stage_changed(const Stages& before, const Inputs& now) {
-  if (!is_ink_of(before, now)) return Stage::ink;
-  Options known = before.inputs.settled;
-  known.preset = now.settled.preset;  // it has done its work
-  Stage changed = first_stage_changed(known, now.settled);
-  if (changed > Stage::slim && !same_ground(before, *now.settled.spacing)) changed = Stage::slim;
-  return same_mask(before.inputs.mask, now.mask) ? changed : std::min(changed, Stage::scribbles);
-}
-
-// What the stages before `first` made.
-void move_kept(Stage first, Stages& from, Stages& to) {
-  const auto move = [&](Stage stage, auto... members) {
-    if (stage < first) ((to.*members = std::move(from.*members)), ...);
-  };
-  move(Stage::ink, &Stages::fills, &Stages::ink, &Stages::of_fine_pen);
-  move(Stage::bundles, &Stages::bundles);
-  move(Stage::slim, &Stages::slim, &Stages::bundle_scale);
-  move(Stage::band, &Stages::mesh);
-  move(Stage::field, &Stages::field);
-  move(Stage::charts, &Stages::charts);
-  move(Stage::labels, &Stages::labels);
-  move(Stage::map, &Stages::map);
-  move(Stage::isolines, &Stages::exact, &Stages::graph);
-  move(Stage::chains, &Stages::plain);
-  move(Stage::scribbles, &Stages::chains);
-  move(Stage::fit, &Stages::drawing);
 }
 
 // From the band to the chains, strokes are the slimmed ones: lengths in strokes in their widths.
@@ -227,9 +143,8 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
-  const double width = stages.ink.stroke_width;
-  chains = join_flanking(std::move(chains), {stages.ink.width(), stages.ink.height(), width, stages.bundles.sketchiness});
-  return drop_hooks(drop_zigzags(join_touching_corners(std::move(chains), width), width), kPassed * width, kHook * width);
+  return refine_bundles(std::move(chains),
+                        {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width, stages.bundles.sketchiness});
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {

@@ -11,6 +11,7 @@
 #include "refine/junctions.h"
 #include "refine/needles.h"
 #include "refine/simplify.h"
+#include "refine/zigzags.h"
 
 namespace inkgrid {
 namespace {
@@ -27,6 +28,9 @@ constexpr double kOnePlace = 0.25;   // of the pen: junctions nearer to each oth
 constexpr double kTipMiss = 0.6;     // of the pen
 constexpr double kOvershoot = 2;     // strokes
 constexpr double kStraight = 2;      // strokes: chains that are in line over this are one
+
+constexpr double kPassed = 0.7;           // strokes: by so much chains of bundles pass their junctions
+constexpr double kLongestBundleHook = 3;  // strokes
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -156,6 +160,12 @@ class Refinement {
 Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options) {
   const Refinement refinement(ink, drawn, options);
   return refinement.located(refinement.joined(refinement.supported(chains)));
+}
+
+Chains refine_bundles(Chains chains, const FlankingOptions& options) {
+  const double width = options.stroke_width;
+  chains = join_touching_corners(join_flanking(std::move(chains), options), width);
+  return drop_hooks(drop_zigzags(std::move(chains), width), kPassed * width, kLongestBundleHook * width);
 }
 
 Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing, int threads) {

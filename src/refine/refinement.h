@@ -5,6 +5,7 @@
 #pragma once
 
 #include "graph/chains.h"
+#include "refine/flanking.h"
 
 namespace inkgrid {
 
@@ -21,6 +22,10 @@ struct RefinementOptions {
 // The grid has decided which strokes are one and how they meet; the ink, which may be slimmed, says where they run, bend and end.
 // `drawn` is the ink before it was slimmed.
 Chains refine_on_ink(const Chains& chains, const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options);
+
+// The same of a drawing whose bundles were joined, without what the grid left beside their lines; chains that turn back where one
+// stroke relieves another, or touch without a junction, are led straight on and meet.
+Chains refine_bundles(Chains chains, const FlankingOptions& options);
 
 // The same chains with the widths that they have on other ink, as that which was drawn; reach and spacing in its strokes.
 Chains with_widths_on(Chains chains, const Ink& ink, double reach, double spacing, int threads);
