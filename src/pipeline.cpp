@@ -140,7 +140,10 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
         chains, grid_ink(stages), covered_ink(stages).mask,
         {stages.ink.stroke_width, reach, *options.spacing / slim, *options.gap, slit, options.coverage_bins, options.threads});
   });
-  if (slim < 1) chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
+  if (slim < 1) {
+    chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
+    chains = attach_ends(std::move(chains), stages.ink, deep_ends(stages.ink.stroke_width));
+  }
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
   return refine_bundles(std::move(chains),

@@ -167,6 +167,23 @@ TEST(Ends, AnEndWithPaperBeforeItStaysFree) {
 }
 
 // The nearest chain to the ink ahead may lie beyond a slit that the reach of the ink closes.
+TEST(Ends, OneThatStopsDeepInTheInkIsAttached) {
+  Image image = blank(200, 200);
+  const Chains traced = bar_and_stem(image, 20);
+  EXPECT_EQ(attach_ends(traced, ink_of(image), kEnds).junctions.size(), 0u);
+  const Chains attached = attach_ends(traced, ink_of(image), deep_ends(kWidth));
+  ASSERT_EQ(attached.junctions.size(), 1u);
+  EXPECT_EQ(attached.chains.size(), 3u);
+  EXPECT_LT(norm(attached.junctions[0] - Vec2{97, 120}), 1);
+  expect_consistent(attached);
+}
+
+TEST(Ends, CapsAreNotDeepInTheInk) {
+  Image image = blank(200, 200);
+  const Chains traced = bar_and_stem(image, 2);
+  EXPECT_EQ(attach_ends(traced, ink_of(image), deep_ends(kWidth)).junctions.size(), 0u);
+}
+
 TEST(Ends, AnEndIsNotAttachedOverASlit) {
   Image image = blank(100, 200);
   paint(image, {{40, 20}, {40, 180}}, 2);

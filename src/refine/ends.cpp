@@ -16,10 +16,12 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kAligned = 0.97;  // cosine of 14 degrees
-constexpr double kNarrower = 0.9;  // of the way to the end, and
-constexpr double kSteps = 0.5;     // px: less are the steps of pixels
-constexpr double kBeside = 0.5;    // strokes between ends that passed each other in one stroke
+constexpr double kAligned = 0.97;     // cosine of 14 degrees
+constexpr double kNarrower = 0.9;     // of the way to the end, and
+constexpr double kSteps = 0.5;        // px: less are the steps of pixels
+constexpr double kLongestInBlot = 5;  // strokes
+constexpr double kDeep = 1.25;        // widths
+constexpr double kBeside = 0.5;       // strokes between ends that passed each other in one stroke
 
 // One end of a chain.
 struct End {
@@ -49,6 +51,32 @@ bool on_ink(const Ink& ink, Vec2 p) {
 
 bool is_free(const Chain& chain, bool at_start) {
   return !chain.closed && (at_start ? chain.start_junction : chain.end_junction) < 0;
+}
+
+// Distance along `direction` from the tip to where the ink ends; negative when the tip is on paper already.
+double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& options, double farthest) {
+  double last = 0, paper = 0;
+  if (on_ink(ink, tip)) {
+    for (double t = 0.25; t < farthest; t += 0.25) {
+      const bool ink_here = on_ink(ink, tip + t * direction);
+      paper = ink_here ? 0 : paper + 0.25;
+      if (ink_here) last = t;
+      if (paper > options.bridge) break;
+    }
+    return last;
+  }
+  for (double t = 0.25; t < farthest; t += 0.25)
+    if (on_ink(ink, tip - t * direction)) return -t;
+  return 0;
+}
+
+// Whether the end is free, and lies as deep in the ink as is asked for.
+bool may_attach(const Chain& chain, bool at_start, const Ink& ink, const EndOptions& options) {
+  if (!is_free(chain, at_start)) return false;
+  if (options.deep == 0) return true;
+  const double least = options.deep * chain.width;
+  const Vec2 tip = chain.points[end_index(chain, at_start)];
+  return to_ink_end(ink, tip, outward(chain, at_start, 1.5 * chain.width), options, least + 1) > least;
 }
 
 // What a free end runs into.
@@ -151,7 +179,7 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false}) {
       const auto& chain = chains.chains[at(c)];
-      if (is_free(chain, at_start))
+      if (may_attach(chain, at_start, ink, options))
         tips.push_back({{c, at_start}, chain.points[end_index(chain, at_start)], outward(chain, at_start, chain.width)});
     }
   std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
@@ -226,6 +254,10 @@ void unfold(Chain& chain, bool at_start, double width) {
 
 }  // namespace
 
+EndOptions deep_ends(double stroke_width) {
+  return {1.5 * stroke_width, kLongestInBlot * stroke_width, 0, 0, 0, kDeep};
+}
+
 Chains straightened_ends(const std::vector<RidgeChain>& ridges, std::vector<Vec2> junctions, double longest) {
   Chains chains{std::move(junctions), {}};
   for (const auto& ridge : ridges) {
@@ -266,13 +298,16 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
 
 Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
   chains = join_facing_ends(std::move(chains), ink, options);
+  std::vector<End> ends;
+  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
+    for (const bool at_start : {true, false})
+      if (may_attach(chains.chains[at(c)], at_start, ink, options)) ends.push_back({c, at_start});
+  if (ends.empty()) return chains;
   const InkBand band(ink, options.bridge);
   const Ownership ownership = assign_ink(chains.chains, band);
   std::vector<Meeting> meetings;
-  for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
-    for (const bool at_start : {true, false})
-      if (is_free(chains.chains[at(c)], at_start))
-        if (const auto meeting = meeting_of(chains, ownership, ink, {c, at_start}, options)) meetings.push_back(*meeting);
+  for (const End end : ends)
+    if (const auto meeting = meeting_of(chains, ownership, ink, end, options)) meetings.push_back(*meeting);
   std::stable_sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; });
   std::vector<std::vector<Cut>> cuts(chains.chains.size());
   for (const auto& meeting : meetings) {
@@ -294,23 +329,6 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
 }
 
 namespace {
-
-// Distance along `direction` from the tip to where the ink ends; negative when the tip is on paper already.
-double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& options, double farthest) {
-  double last = 0, paper = 0;
-  if (on_ink(ink, tip)) {
-    for (double t = 0.25; t < farthest; t += 0.25) {
-      const bool ink_here = on_ink(ink, tip + t * direction);
-      paper = ink_here ? 0 : paper + 0.25;
-      if (ink_here) last = t;
-      if (paper > options.bridge) break;
-    }
-    return last;
-  }
-  for (double t = 0.25; t < farthest; t += 0.25)
-    if (on_ink(ink, tip - t * direction)) return -t;
-  return 0;
-}
 
 // From a place in a stroke to its rim on both sides, on average; no more than `farthest` is looked at.
 double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {

@@ -16,7 +16,11 @@ struct EndOptions {
   double bridge = 1;  // paper narrower than this does not end a stroke, px
   double slit = 1;    // paper narrower than this does not part an end from a chain whose ink it is in, px
   double gap = 0;     // the same between ends in line with each other, px
+  double deep = 0;    // widths: only ends from which ink leads straight on for more than that are attached; 0: all
 };
+
+// For ends that stop inside the ink of strokes of that width, px, as where many lines meet in a blot.
+EndOptions deep_ends(double stroke_width);
 
 // The chains, of which free ends that the ink does not confirm, up to `longest` px, are cut off, and what
 // is bent by them straight; short ones of which the ink confirms nothing are dropped.
