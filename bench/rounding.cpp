@@ -1,6 +1,5 @@
-// What:   what rounding the integers of the grid map costs: the energy of equation (4) without integers, after greedy rounding,
-// and
-//         after the local search that follows.
+// What:   what rounding the integers of the grid map costs: the energy of equation (4) without integers, after greedy
+//         rounding, and after the local search that follows.
 // Source: section 6.2, "Final optimization".
 // Cost:   one run of the method for each drawing, and its map once more.
 //
@@ -12,7 +11,7 @@
 #include <string>
 
 #include "images/image_io.h"
-#include "map/map_system.h"
+#include "map_problems.h"
 #include "pipeline.h"
 
 namespace inkgrid {
@@ -23,21 +22,13 @@ struct Energies {
 };
 
 Energies energies_of(const Stages& stages) {
-  const Options& options = stages.inputs.settled;
-  const double spacing = *options.spacing * stages.ink.stroke_width / grid_ink(stages).stroke_width;
-  const GridMapOptions map_options{spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
-  const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
-  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options);
-  const HeldVertices held = held_vertices(stages.mesh, cuts, nullptr);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, cuts, snap, held};
-  const MapLayout layout = lay_out(setup);
   Energies sum;
-  for (int component = 0; component < stages.mesh.components; ++component) {
-    const MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component));
+  for_each_map_problem(stages, [&](const MixedIntegerProblem& problem) {
+    const MixedIntegerSolution solution = solve_mixed_integer(problem);
     sum.relaxed += solution.relaxed_energy;
     sum.greedy += solution.greedy_energy;
     sum.searched += solution.energy;
-  }
+  });
   return sum;
 }
 

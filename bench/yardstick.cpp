@@ -16,7 +16,7 @@
 
 #include "field/field_system.h"
 #include "images/image_io.h"
-#include "map/map_system.h"
+#include "map_problems.h"
 #include "pipeline.h"
 
 namespace inkgrid {
@@ -93,35 +93,29 @@ double real_field_seconds(const FieldSystem& system) {
   return solve_seconds<double, 2>(2 * system.matrix.size(), lower, right);
 }
 
+// The relaxation of one component below those of the others.
+void add_problem(const MixedIntegerProblem& problem, Triplets<double>& lower, std::vector<double>& right) {
+  const int first = static_cast<int>(right.size()), integers = first + 2 * problem.reals.size();
+  for_each_block(problem.reals, [&](int i, int j, const Block& b) {
+    add_block<double>(lower, first / 2 + i, first / 2 + j, {b.a, b.b, b.c, b.d});
+  });
+  for (const RealPair& b : problem.real_b) right.insert(right.end(), {b.p, b.q});
+  for (std::size_t k = 0; k < problem.coupling.size(); ++k)
+    for (const SparseTerm& term : problem.coupling[k])
+      lower.emplace_back(integers + static_cast<int>(k), first + term.index, term.value);
+  for (const auto& e : problem.integral) lower.emplace_back(integers + e.row, integers + e.column, e.value);
+  right.insert(right.end(), problem.integral_b.begin(), problem.integral_b.end());
+  // Pairs start at even places.
+  if (right.size() % 2 != 0) {
+    lower.emplace_back(static_cast<int>(right.size()), static_cast<int>(right.size()), 1.0);
+    right.push_back(0);
+  }
+}
+
 double map_seconds(const Stages& stages) {
-  const Options& options = stages.inputs.settled;
-  const GridMapOptions map_options{
-      *options.spacing, options.snap, options.snap_sigma, options.damping, options.merge_difference, 1};
-  const CutShifts cuts = trace_cuts(stages.mesh, stages.charts);
-  const SnapRegions snap = merge_snapping(stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options);
-  const HeldVertices held = held_vertices(stages.mesh, cuts, nullptr);
-  const MapSetup setup{stages.mesh, stages.charts, stages.labels, grid_ink(stages), map_options, cuts, snap, held};
-  const MapLayout layout = lay_out(setup);
   Triplets<double> lower;
   std::vector<double> right;
-  for (int component = 0; component < stages.mesh.components; ++component) {
-    const MixedIntegerProblem problem = map_problem(setup, layout, component);
-    const int first = static_cast<int>(right.size()), integers = first + 2 * problem.reals.size();
-    for_each_block(problem.reals, [&](int i, int j, const Block& b) {
-      add_block<double>(lower, first / 2 + i, first / 2 + j, {b.a, b.b, b.c, b.d});
-    });
-    for (const RealPair& b : problem.real_b) right.insert(right.end(), {b.p, b.q});
-    for (std::size_t k = 0; k < problem.coupling.size(); ++k)
-      for (const SparseTerm& term : problem.coupling[k])
-        lower.emplace_back(integers + static_cast<int>(k), first + term.index, term.value);
-    for (const auto& e : problem.integral) lower.emplace_back(integers + e.row, integers + e.column, e.value);
-    right.insert(right.end(), problem.integral_b.begin(), problem.integral_b.end());
-    // Pairs start at even places.
-    if (right.size() % 2 != 0) {
-      lower.emplace_back(static_cast<int>(right.size()), static_cast<int>(right.size()), 1.0);
-      right.push_back(0);
-    }
-  }
+  for_each_map_problem(stages, [&](const MixedIntegerProblem& problem) { add_problem(problem, lower, right); });
   const int size = static_cast<int>(right.size());
   return solve_seconds<double, 1>(size, lower, Eigen::Map<const Eigen::VectorXd>(right.data(), size));
 }

@@ -13,9 +13,10 @@ namespace inkgrid::studio {
 // Little-endian batches, each a kind (u32), a number of elements (u32) and the elements, 4-byte aligned:
 //   0 triangles  per element 3 corners: x, y (f32), colour (u8 r, g, b, a)
 //   1 lines      x0, y0, x1, y1, width (f32; screen px), colour
-//   2 discs      x, y, radius, hole radius (f32; screen px), flags (f32; 1: white rim, 2: radii in px of the drawing, 4: square),
-//   colour 3 pixels     one element: width, height (u32), side of a pixel (f32; px of the drawing), colour, then width * height
-//   bytes, padded to 4
+//   2 discs      x, y, radius, hole radius (f32; screen px), flags (f32; 1: white rim, 2: radii in px of the drawing,
+//                4: square), colour
+//   3 pixels     one element: width, height (u32), side of a pixel (f32; px of the drawing), colour, then
+//                width * height bytes, padded to 4
 class Recording final : public Painter {
  public:
   void pixels(const Raster<std::uint8_t>& mask, double side, Colour colour) override;
