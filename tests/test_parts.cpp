@@ -30,7 +30,7 @@ TEST(Touched, DistancesRunAlongTheStroke) {
   // A hairpin: its arms are 30 px apart, and far along the stroke.
   const Ink ink = drawn_ink({{{20, 40}, {160, 40}, {160, 70}, {20, 70}}}, 6, 200);
   const ScaleMask mask = mask_with(200, 200, 0.5f, [](int x, int y) { return x >= 60 && x < 70 && y < 55; });
-  const auto parts = touched_parts(mask, ink, 0.3, 120);
+  const auto parts = touched_parts(mask, {}, ink, 0.3, 120);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(distance_at(parts[0], {65, 40.5}), 0);
   EXPECT_NEAR(static_cast<double>(distance_at(parts[0], {100.5, 40.5})), 31, 3);
@@ -42,7 +42,7 @@ TEST(Touched, DistancesRunAlongTheStroke) {
 
 TEST(Touched, BeyondTheEdgeTheBandIsThatOfTheEdge) {
   const Ink ink = drawn_ink({{{-10, 40}, {100, 40}}}, 6, 200);
-  const auto parts = touched_parts(mask_with(200, 200, 0.5f, [](int x, int) { return x < 10; }), ink, 0.3, 50);
+  const auto parts = touched_parts(mask_with(200, 200, 0.5f, [](int x, int) { return x < 10; }), {}, ink, 0.3, 50);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(distance_at(parts[0], {-0.5, 40.5}), 0);
   EXPECT_EQ(distance_at(parts[0], {-3, 40.5}), 0);
@@ -53,18 +53,29 @@ TEST(Touched, BeyondTheEdgeTheBandIsThatOfTheEdge) {
 TEST(Touched, PartsAreThoseThatTheBandConnects) {
   const Ink ink = drawn_ink({{{20, 40}, {180, 40}}, {{20, 80}, {180, 80}}}, 6, 200);
   const auto over_both = [](int x, int) { return x >= 95 && x < 105; };
-  EXPECT_EQ(touched_parts(mask_with(200, 200, 0.5f, over_both), ink, 0.3, 30).size(), 2u);
+  EXPECT_EQ(touched_parts(mask_with(200, 200, 0.5f, over_both), {}, ink, 0.3, 30).size(), 2u);
   const auto twice_on_one = [](int x, int y) { return y < 60 && (std::abs(x - 60) < 5 || std::abs(x - 140) < 5); };
-  EXPECT_EQ(touched_parts(mask_with(200, 200, 2.0f, twice_on_one), ink, 0.3, 30).size(), 2u);
-  EXPECT_EQ(touched_parts(mask_with(200, 200, 2.0f, twice_on_one), ink, 0.3, 45).size(), 1u);
+  EXPECT_EQ(touched_parts(mask_with(200, 200, 2.0f, twice_on_one), {}, ink, 0.3, 30).size(), 2u);
+  EXPECT_EQ(touched_parts(mask_with(200, 200, 2.0f, twice_on_one), {}, ink, 0.3, 45).size(), 1u);
   const auto on_paper = [](int, int y) { return y > 120; };
-  EXPECT_TRUE(touched_parts(mask_with(200, 200, 2.0f, on_paper), ink, 0.3, 45).empty());
+  EXPECT_TRUE(touched_parts(mask_with(200, 200, 2.0f, on_paper), {}, ink, 0.3, 45).empty());
+}
+
+TEST(Touched, TheBandIsWiderWhereStrokesAreBundled) {
+  const Ink ink = drawn_ink({{{20, 40}, {180, 40}}}, 6, 200);
+  const ScaleMask mask = mask_with(200, 200, 0.5f, [](int x, int) { return std::abs(x - 60) < 5; });
+  const ScaleMask bundles = mask_with(200, 200, 2.0f, [](int x, int) { return x >= 100; });
+  const auto parts = touched_parts(mask, bundles, ink, 0.3, 120);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(distance_at(parts[0], {80.5, 49.5}), kUnreached);
+  EXPECT_LT(distance_at(parts[0], {120.5, 49.5}), 80);
+  EXPECT_EQ(distance_at(parts[0], {120.5, 52.5}), kUnreached);
 }
 
 TEST(Window, HoldsTheInkThatIsReached) {
   const Ink ink = drawn_ink({{{20, 40}, {180, 40}}, {{20, 60}, {180, 60}}}, 6, 200);
   const ScaleMask mask = mask_with(200, 200, 0.5f, [](int x, int y) { return std::abs(x - 100) < 4 && y < 50; });
-  const auto parts = touched_parts(mask, ink, 0.3, 20);
+  const auto parts = touched_parts(mask, {}, ink, 0.3, 20);
   ASSERT_EQ(parts.size(), 1u);
   const Ink window = window_of(ink, parts[0]);
   const ScaleMask crop = window_of(mask, parts[0]);
@@ -348,6 +359,28 @@ TEST(Parts, AStrokeThatLeavesTheImageIsScribbledAtItsEdge) {
       EXPECT_FALSE(whole.graph.edges.empty());
     }
 }
+
+class EachBundle : public ::testing::TestWithParam<int> {};
+
+// The band of a bundle is wider than that of its pen, its triangles are larger, and a scribble over it replaces all of it.
+TEST_P(EachBundle, AScribbleOverItFitsWhatIsAroundIt) {
+  Image image = blank(kWide, kHigh);
+  for (int k = 0; k < GetParam(); ++k) paint(image, {{20 + 9.0 * k, 60 + 9.0 * k}, {220 - 9.0 * k, 70 + 9.0 * k}}, 5);
+  Options options;
+  options.preset = Preset::rough;
+  options.bundles = BundleMode::join;
+  for (int x = 40; x <= 200; x += 20)
+    for (const float factor : {0.5f, 2.0f}) {
+      const ScaleMask mask = scribble_at({static_cast<double>(x), 70}, 14, factor);
+      Control control;
+      control.mask = &mask;
+      const Stages s = run_stages(image, options, control);
+      ASSERT_GT(s.bundles.count, 0);
+      EXPECT_NO_THROW(assembled(s)) << x << " times " << factor;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Strokes, EachBundle, ::testing::Values(3, 4));
 
 TEST(Parts, ChainsThatNowhereFitTheOldOnesTakeTheirPlace) {
   Stages plain = with_mask(scribble_at({90, 45}, 9, 0.5f));

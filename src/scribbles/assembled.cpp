@@ -9,7 +9,8 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kBeyondMargin = 1;  // strokes: faces on the margin are wider than a point
+// Strokes: faces on the margin reach over it, in a bundle by some strokes, and the rim of a window is at ten or more.
+constexpr double kBeyondMargin = 5;
 
 // Something of a source: 0 is the drawing without its mask, the others are the windows of its parts.
 struct Place {

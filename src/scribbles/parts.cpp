@@ -79,9 +79,10 @@ class PartsSolver {
 
   const std::vector<TouchedPart>& parts_at(std::size_t level) {
     while (levels_.size() <= level)
-      levels_.push_back(levels_.size() == kKept.size() ? std::vector{everything(plain_.ink)}
-                                                       : touched_parts(*plain_.inputs.mask, covered_ink(plain_),
-                                                                       *plain_.inputs.settled.reach, farthest(levels_.size())));
+      levels_.push_back(levels_.size() == kKept.size()
+                            ? std::vector{everything(plain_.ink)}
+                            : touched_parts(*plain_.inputs.mask, plain_.bundle_scale, covered_ink(plain_),
+                                            *plain_.inputs.settled.reach, farthest(levels_.size())));
     return levels_[level];
   }
 

@@ -26,8 +26,12 @@ constexpr std::array<Step, 8> kSteps{{{1, 0, 1},
 // Shortest ways over the pixels of the band from the scribbles.
 class BandDistance {
  public:
-  BandDistance(const ScaleMask& mask, const Ink& ink, double reach, double farthest)
-      : mask_(mask), ink_(ink), reach_(1.25 * reach * ink.stroke_width), farthest_(static_cast<float>(farthest)) {}
+  BandDistance(const ScaleMask& mask, const ScaleMask& bundles, const Ink& ink, double reach, double farthest)
+      : mask_(mask),
+        bundles_(bundles),
+        ink_(ink),
+        reach_(1.25 * reach * ink.stroke_width),
+        farthest_(static_cast<float>(farthest)) {}
 
   Raster<float> measure() const {
     Raster<float> distance(ink_.width(), ink_.height(), kUnreached);
@@ -59,10 +63,12 @@ class BandDistance {
 
  private:
   bool on_band(std::size_t i) const {
-    return static_cast<double>(ink_.gap.data[i]) <= reach_ * std::max(1.0, static_cast<double>(mask_.factor[i])) + kSlack;
+    const float factor = std::max(1.0f, mask_.factor[i]) * (bundles_.factor.empty() ? 1.0f : bundles_.factor[i]);
+    return static_cast<double>(ink_.gap.data[i]) <= reach_ * static_cast<double>(factor) + kSlack;
   }
 
   const ScaleMask& mask_;
+  const ScaleMask& bundles_;
   const Ink& ink_;
   double reach_;
   float farthest_;
@@ -102,8 +108,9 @@ bool holds_ink(const TouchedPart& part, const Ink& ink) {
 
 }  // namespace
 
-std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const Ink& ink, double reach, double farthest) {
-  Raster<float> distance = BandDistance(mask, ink, reach, farthest).measure();
+std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const ScaleMask& bundles, const Ink& ink, double reach,
+                                       double farthest) {
+  Raster<float> distance = BandDistance(mask, bundles, ink, reach, farthest).measure();
   std::vector<TouchedPart> parts;
   for (int y = 0; y < distance.height; ++y)
     for (int x = 0; x < distance.width; ++x) {

@@ -30,9 +30,9 @@ struct TouchedPart {
 constexpr float kUnreached = 1e9f;
 
 // The parts of the band within `farthest` px of pixels on the band whose factor is not 1, as far as they hold ink, by their first
-// pixel.  The band is
-// that of `reach` (strokes), widened by the mask.
-std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const Ink& ink, double reach, double farthest);
+// pixel.  The band is that of `reach` (strokes), widened by the mask and by `bundles`, which is empty where there are none.
+std::vector<TouchedPart> touched_parts(const ScaleMask& mask, const ScaleMask& bundles, const Ink& ink, double reach,
+                                       double farthest);
 
 // The distance at a point of the drawing; the band goes on beyond its edge, where the nearest pixel counts.
 float distance_at(const TouchedPart& part, Vec2 p);
