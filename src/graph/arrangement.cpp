@@ -82,7 +82,7 @@ class Cutter {
   std::vector<int> node_table_;      // of one face: u segments x v segments
 
   IVec2 uv(int corner) const { return map_.uv[at(corner)]; }
-  int vertex(int corner) const { return mesh_.faces[at(face_of(corner))][at(corner % 3)]; }
+  int vertex(int corner) const { return mesh_.vertex_of(corner); }
   Vec2 point(int corner) const { return mesh_.points[at(vertex(corner))]; }
   bool canonical(int halfedge) const { return vertex(halfedge) < vertex(next_halfedge(halfedge)); }
   std::pair<int, int> canonical_corners(int halfedge) const {

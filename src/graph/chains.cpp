@@ -155,6 +155,20 @@ bool is_loop(const Chain& chain) {
   return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
 }
 
+void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept) {
+  std::vector<int> numbers(kept.size(), -1);
+  std::vector<Vec2> junctions;
+  for (std::size_t j = 0; j < kept.size(); ++j)
+    if (kept[j]) {
+      numbers[j] = static_cast<int>(junctions.size());
+      junctions.push_back(chains.junctions[j]);
+    }
+  for (Chain& chain : chains.chains)
+    for (int* const junction : {&chain.start_junction, &chain.end_junction})
+      if (*junction >= 0) *junction = numbers[at(*junction)];
+  chains.junctions = std::move(junctions);
+}
+
 double ink_coverage(const Chain& chain, const Ink& ink) {
   double on = 0;
   for (const Vec2 p : chain.points) on += nearest(ink.mask, p, std::uint8_t{0});

@@ -4,6 +4,7 @@
 // Cost:   linear in the length of the isolines.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "graph/isolines.h"
@@ -32,6 +33,9 @@ Chains scaled(Chains chains, double factor);
 
 // Whether the chain ends where it starts: closed, or in one junction.
 bool is_loop(const Chain& chain);
+
+// Only these junctions, per junction; ends at the others become free.
+void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept);
 
 // The share of the chain's points that lie on ink.
 double ink_coverage(const Chain& chain, const Ink& ink);

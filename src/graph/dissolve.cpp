@@ -34,7 +34,9 @@ class Dissolver {
     }
     std::erase_if(chains_.chains, [](const Chain& chain) { return chain.points.size() < 2; });
     collect_ends();
-    drop_unused_junctions();
+    std::vector<std::uint8_t> joins;
+    for (const auto& ends : ends_) joins.push_back(ends.size() >= 2);
+    keep_junctions(chains_, joins);
     return std::move(chains_);
   }
 
@@ -76,21 +78,6 @@ class Dissolver {
     first.end_junction = second.end_junction;
     second.points.clear();
     second.start_junction = second.end_junction = -1;
-  }
-
-  // The others keep their order.
-  void drop_unused_junctions() {
-    std::vector<int> numbers(chains_.junctions.size(), -1);
-    std::vector<Vec2> kept;
-    for (std::size_t j = 0; j < ends_.size(); ++j)
-      if (ends_[j].size() >= 2) {
-        numbers[j] = static_cast<int>(kept.size());
-        kept.push_back(chains_.junctions[j]);
-      }
-    for (Chain& chain : chains_.chains)
-      for (int* const junction : {&chain.start_junction, &chain.end_junction})
-        if (*junction >= 0) *junction = numbers[at(*junction)];
-    chains_.junctions = std::move(kept);
   }
 
   Chains chains_;

@@ -385,7 +385,7 @@ void split_touching_vertices(BandMesh& mesh) {
   std::vector<std::uint8_t> has_fan(mesh.points.size(), 0), done(3 * mesh.faces.size(), 0);
   for (int corner = 0; corner < 3 * mesh.face_count(); ++corner) {
     if (done[at(corner)]) continue;
-    int vertex = mesh.faces[at(face_of(corner))][at(corner % 3)];
+    int vertex = mesh.vertex_of(corner);
     if (has_fan[at(vertex)]) {
       mesh.points.push_back(mesh.points[at(vertex)]);
       mesh.lattice.push_back(mesh.lattice[at(vertex)]);

@@ -37,6 +37,8 @@ struct BandMesh {
 
   int face_count() const { return static_cast<int>(faces.size()); }
   int vertex_count() const { return static_cast<int>(points.size()); }
+  // Corner 3 f + k of face f is where halfedge 3 f + k begins.
+  int vertex_of(int corner) const { return faces[at(corner / 3)][at(corner % 3)]; }
   Vec2 barycentre(int f) const {
     const auto& t = faces[at(f)];
     return (points[at(t[0])] + points[at(t[1])] + points[at(t[2])]) / 3;

@@ -99,7 +99,7 @@ std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vec
   std::vector<std::uint8_t> sum(mesh.points.size(), 0);
   // Walking around a vertex crosses each of its halfedges once, outgoing ones from one side.
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int vertex = mesh.faces[at(face_of(h))][at(h % 3)];
+    const int vertex = mesh.vertex_of(h);
     auto& s = sum[at(vertex)];
     s = static_cast<std::uint8_t>((s + turns[at(h)]) & 3);
   }
@@ -109,10 +109,6 @@ std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vec
   return sum;
 }
 
-int origin(const BandMesh& mesh, int h) {
-  return mesh.faces[at(face_of(h))][at(h % 3)];
-}
-
 // Removes open cuts that end neither at a singular vertex nor at the boundary.
 void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   const auto boundary = boundary_vertices(mesh);
@@ -120,14 +116,14 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
   std::vector<int> first(mesh.points.size() + 1, 0);
   const auto cut_at = [&](int h) { return charts.cut[at(h)] != 0; };
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (cut_at(h)) ++first[at(origin(mesh, h)) + 1];
+    if (cut_at(h)) ++first[at(mesh.vertex_of(h)) + 1];
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
     degree[v] = first[v + 1];
     first[v + 1] += first[v];
   }
   std::vector<int> outgoing(static_cast<std::size_t>(first.back())), fill(first.begin(), first.end() - 1);
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (cut_at(h)) outgoing[at(fill[at(origin(mesh, h))]++)] = h;
+    if (cut_at(h)) outgoing[at(fill[at(mesh.vertex_of(h))]++)] = h;
   const auto is_loose = [&](std::size_t v) { return degree[v] == 1 && !boundary[v] && !charts.singular[v]; };
   for (int start = 0; start < mesh.vertex_count(); ++start) {
     auto v = static_cast<std::size_t>(start);
@@ -138,7 +134,7 @@ void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
       const int twin = mesh.twins[at(h)];
       charts.cut[at(h)] = charts.cut[at(twin)] = 0;
       --degree[v];
-      v = static_cast<std::size_t>(origin(mesh, twin));
+      v = static_cast<std::size_t>(mesh.vertex_of(twin));
       --degree[v];
     }
   }

@@ -119,12 +119,8 @@ Fan fan_from(const BandMesh& mesh, int corner) {
 
 std::vector<int> first_corners(const BandMesh& mesh) {
   std::vector<int> first(mesh.points.size(), -1);
-  for (int c = 3 * mesh.face_count() - 1; c >= 0; --c) first[at(mesh.faces[at(face_of(c))][at(c % 3)])] = c;
+  for (int c = 3 * mesh.face_count() - 1; c >= 0; --c) first[at(mesh.vertex_of(c))] = c;
   return first;
-}
-
-int origin(const BandMesh& mesh, int halfedge) {
-  return mesh.faces[at(face_of(halfedge))][at(halfedge % 3)];
 }
 
 // Calls cross(halfedge, next corner) for each step around the fan; the last step of a closed fan leads back to its first corner.
@@ -153,7 +149,7 @@ CutGraph cut_graph(const BandMesh& mesh, const Charts& charts) {
   graph.index.assign(mesh.points.size(), -1);
   std::vector<std::vector<int>> spokes(mesh.points.size());
   for (int h = 0; h < 3 * mesh.face_count(); ++h)
-    if (charts.cut[at(h)] && mesh.twins[at(h)] >= 0) spokes[at(origin(mesh, h))].push_back(h);
+    if (charts.cut[at(h)] && mesh.twins[at(h)] >= 0) spokes[at(mesh.vertex_of(h))].push_back(h);
   const std::vector<int> first = first_corners(mesh);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (spokes[at(v)].empty()) continue;
@@ -190,7 +186,7 @@ void follow_path(const BandMesh& mesh, const CutGraph& graph, const std::vector<
     const int back = mesh.twins[at(h)];
     paths.of_halfedge[at(h)] = paths.of_halfedge[at(back)] = path;
     paths.along[at(h)] = 1;
-    const int end = graph.index[at(origin(mesh, back))];
+    const int end = graph.index[at(mesh.vertex_of(back))];
     if (node[at(end)]) return;
     const auto& spokes = graph.spokes[at(end)];
     h = spokes[0] == back ? spokes[1] : spokes[0];

@@ -132,7 +132,7 @@ GridMap assemble_map(const MapSetup& setup, const Unknowns& unknowns) {
   map.corner_shift.reserve(corners);
   map.transitions.reserve(corners);
   for (int c = 0; c < 3 * setup.mesh.face_count(); ++c) {
-    map.corner_base.push_back(setup.mesh.faces[at(face_of(c))][at(c % 3)]);
+    map.corner_base.push_back(setup.mesh.vertex_of(c));
     map.corner_shift.push_back(translation(cuts.corner_form[at(c)]));
     map.transitions.push_back(
         {setup.mesh.twins[at(c)] < 0 ? 0 : setup.charts.turns[at(c)], translation(cuts.halfedge_form[at(c)])});

@@ -27,7 +27,7 @@ class ComponentProblem {
   MixedIntegerProblem take() { return std::move(problem_); }
 
  private:
-  int vertex(int corner) const { return setup_.mesh.faces[at(face_of(corner))][at(corner % 3)]; }
+  int vertex(int corner) const { return setup_.mesh.vertex_of(corner); }
   int node(int corner) const { return layout_.node[at(vertex(corner))]; }
   int turn(int corner) const { return setup_.cuts.corner_turn[at(corner)]; }
 
@@ -193,7 +193,7 @@ class ComponentProblem {
 HeldVertices held_vertices(const BandMesh& mesh, const CutShifts& cuts, const Known* known) {
   HeldVertices held{std::vector<std::uint8_t>(mesh.points.size(), 0), std::vector<Vec2>(mesh.points.size())};
   if (!known) return held;
-  const auto vertex = [&](int corner) { return at(mesh.faces[at(face_of(corner))][at(corner % 3)]); };
+  const auto vertex = [&](int corner) { return at(mesh.vertex_of(corner)); };
   for (int c = 0; c < 3 * mesh.face_count(); ++c) {
     if (!known->faces[at(face_of(c))] || cuts.corner_turn[at(c)] != 0 || cuts.corner_form[at(c)] >= 0) continue;
     held.is_held[vertex(c)] = !cuts.fixed_point[vertex(c)];

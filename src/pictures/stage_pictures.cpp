@@ -47,8 +47,7 @@ template <class Draw>
 void each_edge(const BandMesh& mesh, Draw draw) {
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
     if (mesh.twins[at(h)] >= 0 && mesh.twins[at(h)] < h) continue;
-    const int next = next_halfedge(h);
-    draw(h, mesh.points[at(mesh.faces[at(face_of(h))][at(h % 3)])], mesh.points[at(mesh.faces[at(face_of(next))][at(next % 3)])]);
+    draw(h, mesh.points[at(mesh.vertex_of(h))], mesh.points[at(mesh.vertex_of(next_halfedge(h)))]);
   }
 }
 

@@ -327,7 +327,7 @@ class Assembly {
       for (const Step& step : way.steps) used[at(step.piece)] = 1;
       result_.chains.push_back(joined(way));
     }
-    renumber_junctions();
+    drop_unused_junctions();
     return std::move(result_);
   }
 
@@ -409,21 +409,12 @@ class Assembly {
     return chain;
   }
 
-  void renumber_junctions() {
-    std::vector<int> number(result_.junctions.size(), -1);
+  void drop_unused_junctions() {
+    std::vector<std::uint8_t> used(result_.junctions.size(), 0);
     for (const Chain& chain : result_.chains)
       for (const int j : {chain.start_junction, chain.end_junction})
-        if (j >= 0) number[at(j)] = 0;
-    std::vector<Vec2> kept;
-    for (std::size_t j = 0; j < number.size(); ++j)
-      if (number[j] == 0) {
-        number[j] = static_cast<int>(kept.size());
-        kept.push_back(result_.junctions[j]);
-      }
-    for (Chain& chain : result_.chains)
-      for (int* const j : {&chain.start_junction, &chain.end_junction})
-        if (*j >= 0) *j = number[at(*j)];
-    result_.junctions = std::move(kept);
+        if (j >= 0) used[at(j)] = 1;
+    keep_junctions(result_, used);
   }
 
   std::vector<Kept> pieces_;
