@@ -10,7 +10,7 @@ void report_ink(const Ink& ink, const Fills& fills, Report& report) {
   report.threshold = ink.threshold;
   report.inverted = ink.inverted;
   report.stroke_width = ink.stroke_width / ink.enlargement;
-  report.ink_pixels = ink.pixels / (ink.enlargement * ink.enlargement);
+  report.ink_pixels = ink.pixels / ink.enlargement / ink.enlargement;
   report.enlargement = ink.enlargement;
   report.fills = fills.count;
 }

@@ -9,13 +9,13 @@ std::string event_text(const char* event, const std::string& data) {
 
 }  // namespace
 
-void EventStream::progress(std::string data) {
+void EventStream::progress(const std::string& data) {
   const std::lock_guard lock(mutex_);
   progress_ = event_text("progress", data);
   changed_.notify_all();
 }
 
-void EventStream::finish(const char* event, std::string data) {
+void EventStream::finish(const char* event, const std::string& data) {
   const std::lock_guard lock(mutex_);
   if (finished_) return;
   finished_ = true;

@@ -17,9 +17,9 @@ namespace inkgrid::studio {
 class EventStream {
  public:
   // Progress of a stage; `data` is JSON on one line.
-  void progress(std::string data);
+  void progress(const std::string& data);
   // The last event: "done", "failed" or "cancelled".  Only the first call counts.
-  void finish(const char* event, std::string data);
+  void finish(const char* event, const std::string& data);
 
   // The next events as text, or a comment where there is none within the time; nothing after the last one.
   std::optional<std::string> next(std::chrono::milliseconds patience);

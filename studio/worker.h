@@ -16,7 +16,7 @@ class Worker {
  public:
   using Job = std::function<void()>;  // throws nothing
 
-  Worker() : thread_([this](std::stop_token stop) { work(stop); }) {}
+  Worker() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
   void add(Job job) {
     const std::lock_guard lock(mutex_);

@@ -69,9 +69,8 @@ class ReweightedSystem {
       : system_(system),
         factor_(system.matrix, {}, threads),
         weights_(system.right.size(), 0.0),
-        x_(factor_.solve(system.right)) {
-    goal_ = kResidual * kResidual * real_dot(system.right, x_);
-  }
+        x_(factor_.solve(system.right)),
+        goal_(kResidual * kResidual * real_dot(system.right, x_)) {}
 
   const std::vector<ComplexPair>& solution() const { return x_; }
 

@@ -124,7 +124,7 @@ void start_after_gap(std::vector<std::size_t>& numbers, std::size_t count) {
   std::size_t start = 0, widest = numbers.front() + count - numbers.back();
   for (std::size_t i = 1; i < numbers.size(); ++i)
     if (numbers[i] - numbers[i - 1] > widest) widest = numbers[i] - numbers[i - 1], start = i;
-  std::ranges::rotate(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(start));
+  std::rotate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(start), numbers.end());
 }
 
 // Of a closed spline, segments before its seam are reached by moving the seam; one of few segments is a stretch as a whole.
@@ -203,7 +203,7 @@ void mend(Stretch& stretch, const FitOptions& options) {
 // Mends each run of failing segments, between one good segment on either side.
 void mend_failing(SplineFit& fit, const Samples& samples, const FitOptions& options) {
   std::vector<double> worst = deviations(fit.spline, fit.feet, samples);
-  const auto rotate = [&](std::ptrdiff_t by) { std::ranges::rotate(worst, worst.begin() + by); };
+  const auto rotate = [&](std::ptrdiff_t by) { std::rotate(worst.begin(), worst.begin() + by, worst.end()); };
   const auto good = [&](double w) { return w <= options.tolerance; };
   if (const auto seam = std::ranges::find_if(worst, good); samples.closed && seam != worst.end()) {
     rotate_seam(fit.spline, fit.feet, static_cast<int>(seam - worst.begin()));
@@ -302,9 +302,7 @@ std::vector<Cubic> fit_smooth(const Samples& samples, const FitOptions& options)
   drop_joints(fit, samples, options);
   polish(fit, samples, options.tolerance);
   straighten(fit, samples, options.tolerance);
-  std::vector<Cubic> cubics;
-  for (int k = 0; k < fit.spline.segments(); ++k) cubics.push_back(fit.spline.cubic(k));
-  return cubics;
+  return cubics_of(fit.spline);
 }
 
 // The points between two corners, the second one perhaps a turn later, without those that cut them.

@@ -10,8 +10,8 @@
 
 namespace inkgrid {
 
-// The outlines as closed curves; `tolerance` as that of other curves, but of four pixels, not of a stroke.  `pixel`: the side of a pixel
-// of the fills in the drawing, px.
+// The outlines as closed curves; `tolerance` as that of other curves, but of four pixels, not of a stroke.  `pixel`: the side of
+// a pixel of the fills in the drawing, px.
 std::vector<Fill> fit_outlines(const Fills& fills, double tolerance, double pixel = 1);
 
 }  // namespace inkgrid

@@ -76,7 +76,7 @@ void improve(Cubic& c, const Thinned& thinned) {
     const Vec2 gap = point_on(c, t) - thinned.points[at(k)], along = fast_unit(velocity_on(c, t)), across = quarter_turn(along);
     const double w = k == 0 || k + 1 == thinned.count ? 1 : kAlong;
     Vector8 row, second;
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < 4; ++i) {
       row[2 * i] = b[at(i)] * across.x, row[2 * i + 1] = b[at(i)] * across.y;
       second[2 * i] = w * b[at(i)] * along.x, second[2 * i + 1] = w * b[at(i)] * along.y;
     }
@@ -86,7 +86,7 @@ void improve(Cubic& c, const Thinned& thinned) {
   matrix.diagonal().array() += 1e-9 * thinned.count;
   const Vector8 step = matrix.llt().solve(right);
   if (!step.allFinite()) return;
-  const auto moved = [&](Vec2 p, int i) { return p - Vec2{step[2 * i], step[2 * i + 1]}; };
+  const auto moved = [&](Vec2 p, Eigen::Index i) { return p - Vec2{step[2 * i], step[2 * i + 1]}; };
   c = {moved(c.p0, 0), moved(c.p1, 1), moved(c.p2, 2), moved(c.p3, 3)};
 }
 

@@ -61,12 +61,6 @@ Place place_of(const SmoothSpline& spline, double foot) {
   return {k, foot - k};
 }
 
-std::vector<Cubic> cubics_of(const SmoothSpline& spline) {
-  std::vector<Cubic> cubics;
-  for (int k = 0; k < spline.segments(); ++k) cubics.push_back(spline.cubic(k));
-  return cubics;
-}
-
 // One Newton step of a foot towards the nearest point, over a joint if need be.
 double step_foot(const SmoothSpline& spline, const std::vector<Cubic>& cubics, double foot, Vec2 p) {
   const auto [k, t] = place_of(spline, foot);
@@ -314,6 +308,13 @@ void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics,
 }
 
 }  // namespace
+
+std::vector<Cubic> cubics_of(const SmoothSpline& spline) {
+  std::vector<Cubic> cubics;
+  cubics.reserve(at(spline.segments()));
+  for (int k = 0; k < spline.segments(); ++k) cubics.push_back(spline.cubic(k));
+  return cubics;
+}
 
 Cubic SmoothSpline::cubic(int segment) const {
   const auto from = at(segment), to = at(joint_after(segment));

@@ -33,6 +33,8 @@ inline Vec2 fast_unit(Vec2 a) {
   return squared > 0 ? a / std::sqrt(squared) : a;
 }
 
+std::vector<Cubic> cubics_of(const SmoothSpline& spline);
+
 double approximate_length(const Cubic& cubic);
 
 struct RefineOptions {
@@ -45,7 +47,8 @@ struct RefineOptions {
 void refine_spline(SmoothSpline& spline, Feet& feet, const Samples& samples, const std::vector<double>& weights,
                    const RefineOptions& options);
 
-// For each segment, the largest distance between it and the polyline, measured both ways; infinite where it folds, kinks or wriggles.
+// For each segment, the largest distance between it and the polyline, measured both ways; infinite where it folds, kinks or
+// wriggles.
 std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, const Samples& samples);
 
 // Distance of each point to its foot.

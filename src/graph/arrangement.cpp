@@ -298,7 +298,7 @@ void Cutter::add_grid_nodes(int first_segment, int first_v_segment) {
   const int end = static_cast<int>(result_.segments.size());
   if (first_segment == end) return;
   const int columns = end - first_v_segment;
-  node_table_.assign(static_cast<std::size_t>((first_v_segment - first_segment) * columns), -1);
+  node_table_.assign(at(first_v_segment - first_segment) * at(columns), -1);
   for (int i = first_segment; i < first_v_segment; ++i) {
     for (int j = first_v_segment; j < end; ++j) {
       const IsolineSegment& u = result_.segments[at(i)];

@@ -99,9 +99,9 @@ class Runs {
   }
 
   void literals(std::uint32_t count) {
-    const std::uint32_t each = header_.bits == 4 ? 2 : 1;
+    const std::uint32_t each = header_.bits == 4 ? 2 : 1, bytes = (count + each - 1) / each;
     for (std::uint32_t i = 0; i < count; ++i) put(value(bytes_.u8(at_ + i / each), i));
-    at_ += ((count + each - 1) / each + 1) / 2 * 2;
+    at_ += bytes + bytes % 2;
   }
 
   // The left one of two that share a byte is in its high bits.
@@ -150,8 +150,8 @@ BmpHeader bmp_header(const Bytes& bytes) {
   return header;
 }
 
-std::optional<DecodedImage> decode_bmp(std::span<const char> span) {
-  const Bytes bytes(span);
+std::optional<DecodedImage> decode_bmp(std::span<const char> file) {
+  const Bytes bytes(file);
   try {
     const BmpHeader header = bmp_header(bytes);
     const bool known = std::has_single_bit(header.bits) && header.bits <= 32;

@@ -34,6 +34,6 @@ struct BmpHeader {
 BmpHeader bmp_header(const Bytes& bytes);
 
 // Nothing where the bytes end before the last pixel, or the header makes no sense.
-std::optional<DecodedImage> decode_bmp(std::span<const char> bytes);
+std::optional<DecodedImage> decode_bmp(std::span<const char> file);
 
 }  // namespace inkgrid

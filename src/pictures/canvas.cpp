@@ -51,7 +51,8 @@ cairo_surface_t* paper_surface(const Image& drawing, bool inverted) {
 
 double picture_scale(int width, int height) {
   const int side = std::max({width, height, 1});
-  if (side > kLargeSide) return 1.0 / ((side + kLargeSide - 1) / kLargeSide);
+  const int shrink = (side + kLargeSide - 1) / kLargeSide;
+  if (shrink > 1) return 1.0 / shrink;
   return std::clamp<double>(std::round(static_cast<double>(kSmallSide) / side), 1, kLargestScale);
 }
 

@@ -138,10 +138,11 @@ class Assembly {
     numbers_.push_back(std::move(numbers));
   }
 
-  int vertex_of(const Place& corner) const { return source(corner).mesh.faces[at(face_of(corner.index))][at(corner.index % 3)]; }
+  int vertex_of(const Place& corner) const { return source(corner).mesh.vertex_of(corner.index); }
 
   void number_vertices() {
     std::vector<std::vector<int>> number;
+    number.reserve(numbers_.size());
     for (int s = 0; s < static_cast<int>(numbers_.size()); ++s) number.emplace_back(source({s, 0}).mesh.points.size(), -1);
     const auto take = [&](int s, int v) -> int {
       int& n = number[at(s)][at(v)];

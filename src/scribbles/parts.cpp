@@ -32,8 +32,8 @@ bool same(const TouchedPart& a, const TouchedPart& b) {
 // A pixel under the scribble.
 Vec2 seed_of(const TouchedPart& part) {
   const auto found = std::find(part.distance.data.begin(), part.distance.data.end(), 0.0f) - part.distance.data.begin();
-  return {part.box.x0 + static_cast<double>(found % part.box.width()) + 0.5,
-          part.box.y0 + static_cast<double>(found / part.box.width()) + 0.5};
+  const auto column = found % part.box.width(), row = found / part.box.width();
+  return {part.box.x0 + static_cast<double>(column) + 0.5, part.box.y0 + static_cast<double>(row) + 0.5};
 }
 
 class PartsSolver {
