@@ -15,35 +15,36 @@ CLEAN = {
     'find_fills': 39,
     'measure_ink': 27,
     'slim_ink': 57,   # half of it looks for strokes of a broader pen
-    'build_band': 100,
-    'solve_field': 109,
+    'build_band': 74,
+    'solve_field': 97,
     'comb_charts': 23,
     'label_strokes': 97,
-    'solve_grid_map': 187,
-    'trace_isolines': 34,
+    'solve_grid_map': 157,
+    'trace_isolines': 32,
     'chain_strokes': 4.5,
-    'follow_ridges': 86,
-    'drop_uncovered': 6.4,
+    'follow_ridges': 81,
+    'drop_uncovered': 4.4,
     'drop_spurs': 6.3,
-    'meet_in_blots': 19,
+    'meet_in_blots': 12.5,
     'follow_strokes': 3.3,
-    'attach_ends': 5.2,
+    'attach_ends': 3.7,
     'drop_doubles': 4.1,
     'join_crossings': 2.8,
     'join_arms': 1.5,
     'mark_leftovers': 2.8,
     'fit_outlines': 16,
     'fit_curves': 73,
-    'PROGRAM TOTALS': 935,
+    'PROGRAM TOTALS': 887,
 }
 # With bundles looked for: all but threshold, fills and ink runs twice.
 ROUGH = {
     'find_flanks': 31.4,  # of the first pass, and of the refined chains
     'join_flanking': 16,
+    'drop_zigzags': 5.7,
     'find_bundles': 15.8,
     'join_bundles': 18,
     'closed_ink': 30,
-    'PROGRAM TOTALS': 1180,
+    'PROGRAM TOTALS': 1050,
 }
 MOST = 1.3   # times that
 
