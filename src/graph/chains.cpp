@@ -151,6 +151,12 @@ Chains scaled(Chains chains, double factor) {
   return chains;
 }
 
+Chain reversed(Chain chain) {
+  std::reverse(chain.points.begin(), chain.points.end());
+  std::swap(chain.start_junction, chain.end_junction);
+  return chain;
+}
+
 bool is_loop(const Chain& chain) {
   return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
 }

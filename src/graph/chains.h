@@ -34,6 +34,17 @@ Chains scaled(Chains chains, double factor);
 // Whether the chain ends where it starts: closed, or in one junction.
 bool is_loop(const Chain& chain);
 
+// The junction in which the chain starts, or ends; -1 where there is none.
+inline int& junction_at(Chain& chain, bool at_start) {
+  return at_start ? chain.start_junction : chain.end_junction;
+}
+inline int junction_at(const Chain& chain, bool at_start) {
+  return at_start ? chain.start_junction : chain.end_junction;
+}
+
+// The same the other way round.
+Chain reversed(Chain chain);
+
 // Only these junctions, per junction; ends at the others become free.
 void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept);
 

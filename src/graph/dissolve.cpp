@@ -18,18 +18,13 @@ std::pair<int, bool> rank(ChainEnd end) {
   return {end.chain, !end.at_start};
 }
 
-void reverse(Chain& chain) {
-  std::reverse(chain.points.begin(), chain.points.end());
-  std::swap(chain.start_junction, chain.end_junction);
-}
-
 class Dissolver {
  public:
   explicit Dissolver(Chains chains) : chains_(std::move(chains)), ends_(chains_.junctions.size()) { collect_ends(); }
 
   Chains run() {
     for (const auto& ends : ends_) {
-      if (ends.size() == 1) junction_at(ends[0]) = -1;
+      if (ends.size() == 1) junction_at(chain(ends[0].chain), ends[0].at_start) = -1;
       if (ends.size() == 2) join(ends[0], ends[1]);
     }
     std::erase_if(chains_.chains, [](const Chain& chain) { return chain.points.size() < 2; });
@@ -42,13 +37,12 @@ class Dissolver {
 
  private:
   Chain& chain(int c) { return chains_.chains[at(c)]; }
-  int& junction_at(ChainEnd end) { return end.at_start ? chain(end.chain).start_junction : chain(end.chain).end_junction; }
 
   void collect_ends() {
     for (auto& ends : ends_) ends.clear();
     for (int c = 0; c < static_cast<int>(chains_.chains.size()); ++c)
       for (const bool at_start : {true, false})
-        if (const int junction = junction_at({c, at_start}); junction >= 0) ends_[at(junction)].push_back({c, at_start});
+        if (const int junction = junction_at(chain(c), at_start); junction >= 0) ends_[at(junction)].push_back({c, at_start});
   }
 
   // In the list of the junction, which keeps its order.
@@ -70,9 +64,9 @@ class Dissolver {
     }
     if (a.at_start) {
       rename_end(first.end_junction, {a.chain, false}, {a.chain, true});
-      reverse(first);
+      first = reversed(std::move(first));
     }
-    if (!b.at_start) reverse(second);
+    if (!b.at_start) second = reversed(std::move(second));
     rename_end(second.end_junction, {b.chain, !b.at_start}, {a.chain, false});
     first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
     first.end_junction = second.end_junction;

@@ -120,7 +120,7 @@ class Blotter {
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
       for (const bool at_start : {true, false}) {
         const int r = at_start ? run_of_[at(c)].front() : run_of_[at(c)].back();
-        const int j = at_start ? ridge(c).chain.start_junction : ridge(c).chain.end_junction;
+        const int j = junction_at(ridge(c).chain, at_start);
         if (r >= 0 && j >= 0) groups.unite(r, count + j);
         if (r >= 0 && ridge(c).chain.closed && at_start && run_of_[at(c)].back() >= 0) groups.unite(r, run_of_[at(c)].back());
       }
@@ -197,7 +197,7 @@ class Blotter {
       return {};
     for (int pens = 0; pens <= kFarthest; ++pens) {
       const int away = static_cast<int>(pens * options_.pen);
-      const std::vector<Arm> arms{moved(before[0], away), moved(before[1], away), moved(behind[0], away), moved(behind[1], away)};
+      std::vector<Arm> arms{moved(before[0], away), moved(before[1], away), moved(behind[0], away), moved(behind[1], away)};
       const bool straight = go_on(arms[0], arms[2]) && go_on(arms[1], arms[3]);
       const bool crossed = go_on(arms[0], arms[3]) && go_on(arms[1], arms[2]);
       if ((straight || crossed) && meeting_point(arms)) return arms;
@@ -365,7 +365,7 @@ class Blotter {
 
   // From where it has not passed it.
   void lead_to_junction(RidgeChain& piece, bool at_start, Vec2 direction) const {
-    const int junction = at_start ? piece.chain.start_junction : piece.chain.end_junction;
+    const int junction = junction_at(piece.chain, at_start);
     auto& points = piece.chain.points;
     if (at_start) std::reverse(points.begin(), points.end()), std::reverse(piece.sections.begin(), piece.sections.end());
     const Vec2 target = junctions_[at(junction)];

@@ -30,10 +30,6 @@ Vec2 tip_of(const Chain& chain, bool at_start) {
   return at_start ? chain.points.front() : chain.points.back();
 }
 
-int& junction_of(Chain& chain, bool at_start) {
-  return at_start ? chain.start_junction : chain.end_junction;
-}
-
 // Of half the angle between two sides.
 double half_sine(const Arrival& a, const Arrival& b) {
   return std::sqrt(std::max(1e-3, 0.5 * (1 - dot(a.direction, b.direction))));
@@ -102,7 +98,7 @@ class Corners {
 
   bool is_tip(const End& stub, const std::vector<End>& at) {
     const Chain& tip = chain(stub.chain);
-    if (junction_of(ridge(stub.chain).chain, !stub.at_start) >= 0 || lengths_along(tip.points).back() > options_.longest)
+    if (junction_at(ridge(stub.chain).chain, !stub.at_start) >= 0 || lengths_along(tip.points).back() > options_.longest)
       return false;
     std::vector<Arrival> sides;
     for (const End& e : at)
@@ -132,7 +128,7 @@ class Corners {
   // Both ends become one; what lies between them is not confirmed.
   void join(End a, End b) {
     RidgeChain &first = ridge(a.chain), &second = ridge(b.chain);
-    junction_of(first.chain, a.at_start) = junction_of(second.chain, b.at_start) = -1;
+    junction_at(first.chain, a.at_start) = junction_at(second.chain, b.at_start) = -1;
     if (a.chain == b.chain) {
       first.chain.closed = true;
       if (!(first.chain.points.back() == first.chain.points.front())) {
@@ -152,9 +148,8 @@ class Corners {
   }
 
   static void reverse(RidgeChain& ridge) {
-    std::reverse(ridge.chain.points.begin(), ridge.chain.points.end());
+    ridge.chain = reversed(std::move(ridge.chain));
     std::reverse(ridge.sections.begin(), ridge.sections.end());
-    std::swap(ridge.chain.start_junction, ridge.chain.end_junction);
   }
 
   void join_pairs() {
@@ -173,7 +168,7 @@ class Corners {
   }
 
   bool is_free(End e) {
-    return !chain(e.chain).points.empty() && !chain(e.chain).closed && junction_of(ridge(e.chain).chain, e.at_start) < 0;
+    return !chain(e.chain).points.empty() && !chain(e.chain).closed && junction_at(ridge(e.chain).chain, e.at_start) < 0;
   }
 
   struct Pair {
@@ -245,7 +240,7 @@ class Corners {
     if (!stem) return join(a, b);
     const int junction = static_cast<int>(junctions_.size());
     junctions_.push_back(*tip);
-    for (const End& e : {a, b, *stem}) junction_of(ridge(e.chain).chain, e.at_start) = junction;
+    for (const End& e : {a, b, *stem}) junction_at(ridge(e.chain).chain, e.at_start) = junction;
   }
 
   // A chain along the middle of the blot.

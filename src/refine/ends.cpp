@@ -50,7 +50,7 @@ bool on_ink(const Ink& ink, Vec2 p) {
 }
 
 bool is_free(const Chain& chain, bool at_start) {
-  return !chain.closed && (at_start ? chain.start_junction : chain.end_junction) < 0;
+  return !chain.closed && junction_at(chain, at_start) < 0;
 }
 
 // Distance along `direction` from the tip to where the ink ends; negative when the tip is on paper already.
@@ -132,7 +132,7 @@ int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeti
   const Vec2 target = chain.points[at(meeting.point)];
   for (const bool at_start : {true, false}) {
     if (chain.closed || norm(chain.points[end_index(chain, at_start)] - target) > near) continue;
-    int& junction = at_start ? chain.start_junction : chain.end_junction;
+    int& junction = junction_at(chain, at_start);
     if (junction < 0) {
       junction = static_cast<int>(chains.junctions.size());
       chains.junctions.push_back(chain.points[end_index(chain, at_start)]);
@@ -290,8 +290,8 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
     tip_a = tip_b = lerp(tip_a, tip_b, 0.5);
     const int junction = static_cast<int>(chains.junctions.size());
     chains.junctions.push_back(tip_a);
-    (pair.a.at_start ? a.start_junction : a.end_junction) = junction;
-    (pair.b.at_start ? b.start_junction : b.end_junction) = junction;
+    junction_at(a, pair.a.at_start) = junction;
+    junction_at(b, pair.b.at_start) = junction;
   }
   return dissolve_junctions(std::move(chains));
 }
@@ -315,8 +315,8 @@ Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
     const int junction = junction_on(chains, cuts, meeting, 0.5 * options.reach);
     auto& chain = chains.chains[at(meeting.end.chain)];
     // A chain that would run into its own end there stays open.
-    if ((meeting.end.at_start ? chain.start_junction : chain.end_junction) == junction) continue;
-    (meeting.end.at_start ? chain.start_junction : chain.end_junction) = junction;
+    if (junction_at(chain, meeting.end.at_start) == junction) continue;
+    junction_at(chain, meeting.end.at_start) = junction;
   }
   Chains result{chains.junctions, {}};
   for (std::size_t c = 0; c < chains.chains.size(); ++c)

@@ -39,12 +39,6 @@ bool lies_on(Vec2 p, const Chain& chain) {
   return norm(chain.points[nearest_index(chain.points, p)] - p) < kStep;
 }
 
-Chain reversed(Chain chain) {
-  std::reverse(chain.points.begin(), chain.points.end());
-  std::swap(chain.start_junction, chain.end_junction);
-  return chain;
-}
-
 // Flanks with a free end, those that are most likely one line first.
 std::vector<Flank> flanks_of_one_line(const Chains& chains, const FlankingOptions& options) {
   std::vector<std::pair<double, Flank>> likely;

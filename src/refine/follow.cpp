@@ -136,7 +136,7 @@ Chains follow_strokes(Chains chains, const Ink& ink, double bridge, double least
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
     Chain& chain = chains.chains[at(c)];
     for (const bool at_start : {true, false}) {
-      if (chain.closed || (at_start ? chain.start_junction : chain.end_junction) >= 0) continue;
+      if (chain.closed || junction_at(chain, at_start) >= 0) continue;
       if (at_start) std::reverse(chain.points.begin(), chain.points.end());
       const auto way = follower.way(chain.points, c, at_start, chain.width);
       if (static_cast<double>(way.size()) * kStep * chain.width >= least) {

@@ -23,10 +23,6 @@ double length_of(const Chain& chain) {
   return lengths_along(chain.points).back();
 }
 
-int& junction_at(Chain& chain, bool at_start) {
-  return at_start ? chain.start_junction : chain.end_junction;
-}
-
 void move_end(Chain& chain, bool at_start, Vec2 target) {
   (at_start ? chain.points.front() : chain.points.back()) = target;
 }
@@ -343,7 +339,7 @@ Chains drop_overshoots(Chains chains, double longest) {
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c) {
     const Chain& chain = chains.chains[at(c)];
     for (const bool at_start : {true, false}) {
-      const int j = at_start ? chain.start_junction : chain.end_junction;
+      const int j = junction_at(chain, at_start);
       if (j >= 0) branches[at(j)].emplace_back(c, departure(chain, at_start, longest));
     }
   }
