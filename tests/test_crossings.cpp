@@ -130,6 +130,9 @@ TEST(Crossings, WhatIsFartherAndWhatIsBluntIsNone) {
   Chains ends = corner_above_line(2, 20);
   ends.chains[0].points = dense({{0, 50}, {53, 50}});
   EXPECT_TRUE(join_touching_corners(ends, 4).junctions.empty());
+  Chains marked = corner_above_line(2, 20);
+  marked.chains[0].mark = true;
+  EXPECT_TRUE(join_touching_corners(marked, 4).junctions.empty());
 }
 
 TEST(Crossings, TwoCornersTipToTipAreOneCrossing) {

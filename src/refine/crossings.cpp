@@ -179,7 +179,7 @@ Touch nearest_touch(const std::vector<Chain>& chains, const std::vector<Entry>& 
   for (int y = row - 1; y <= row + 1; ++y) {
     auto entry = std::lower_bound(entries.begin(), entries.end(), Entry{column - 1, y, -1, 0}, before);
     for (; entry != entries.end() && entry->y == y && entry->x <= column + 1; ++entry) {
-      if (entry->chain == except) continue;
+      if (entry->chain == except || chains[at(entry->chain)].mark) continue;
       const auto& points = chains[at(entry->chain)].points;
       const Vec2 a = points[at(entry->segment)], b = points[at(entry->segment) + 1];
       const double t = nearest_parameter(p, a, b);
