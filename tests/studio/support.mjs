@@ -1,5 +1,6 @@
 // The program, a browser, and what a person does with them.
 import { execFile, spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -14,7 +15,9 @@ const often = { polling: 50 }; // a tab behind another one draws no frames
 
 const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--disable-gpu', '--enable-unsafe-swiftshader'];
 
-export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
+const browser = process.env.CHROMIUM ?? ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'].find(existsSync);
+
+export const launch = () => chromium.launch({ executablePath: browser, args: flags });
 
 export const run = (...words) => promisify(execFile)(program, words, { maxBuffer: 1 << 28, timeout: patience });
 
