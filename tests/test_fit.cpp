@@ -399,6 +399,19 @@ TEST(Fit, WideChainsAreSmootherWithinFourTolerances) {
   EXPECT_LE(distance_both_ways(wide, line), 1.05 * 4 * options.tolerance);
 }
 
+TEST(Fit, CurvesOfAnEarlierRunAreTakenOverFromChainsOfTheSameWidthOnly) {
+  FitOptions options = kOptions;
+  options.usual_width = 4;
+  Chains chains;
+  chains.chains.push_back({relayed_line(), false, -1, -1, 4, 1});
+  const Drawing before = fit_curves(chains, options);
+  chains.chains[0].width = 12;
+  const auto again = fit_curves(chains, options, before.curves).curves.front().segments;
+  const auto anew = fit_curves(chains, options).curves.front().segments;
+  ASSERT_EQ(again.size(), anew.size());
+  EXPECT_NE(again.size(), before.curves.front().segments.size());
+}
+
 // The deviation of a single segment from the points of its own curve.
 double own_deviation(const Cubic& c) {
   const Vec2 out = c.p1 - c.p0, in = c.p3 - c.p2;

@@ -343,7 +343,9 @@ class Fitted {
 
   const Curve* find(std::uint64_t id, const Chain& chain) const {
     const auto found = by_id_.find(id);
-    return found != by_id_.end() && has_free_seam(*found->second) == has_free_seam(chain) ? found->second : nullptr;
+    if (found == by_id_.end()) return nullptr;
+    const Curve& curve = *found->second;
+    return curve.width == chain.width && has_free_seam(curve) == has_free_seam(chain) ? &curve : nullptr;
   }
 
  private:

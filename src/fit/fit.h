@@ -28,7 +28,7 @@ struct FitOptions {
 // (a closed curve's seam is moved to a corner if it has one).
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
 
-// `before`: curves fitted with the same options; those whose chain is there again are taken as they are.
+// `before`: curves fitted with the same options; those whose chain is there again, as wide, are taken as they are.
 Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before = {});
 
 }  // namespace inkgrid
