@@ -167,7 +167,7 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
 // Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed; empty where neither changes the
 // ink.
 JoinedInk ground_of(const Stages& stages, const ScaleMask* mask, bool slimmed) {
-  const double share = slim_share(*stages.inputs.settled.spacing);
+  const double share = slim_share(stages.ink, *stages.inputs.settled.spacing);
   if (stages.bundles.count == 0) return {slimmed ? slim_ink(stages.ink, share) : Ink{}, {}};
   JoinedInk joined = join_bundles(stages.ink, stages.bundles, mask);
   return {slimmed ? slim_ink(joined.ink, share) : std::move(joined.ink), std::move(joined.scale)};

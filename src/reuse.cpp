@@ -25,7 +25,7 @@ bool same_ink(const Inputs& a, const Inputs& b) {
 
 // Whether the grid is to work on the same ink with another spacing.
 bool same_ground(const Stages& before, double spacing) {
-  return same_slimming(*before.inputs.settled.spacing, spacing) ||
+  return same_slimming(before.ink, *before.inputs.settled.spacing, spacing) ||
          (before.slim.mask.data.empty() && !is_slimmed(before.ink, spacing));
 }
 

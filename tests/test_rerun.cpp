@@ -231,6 +231,27 @@ TEST(Rerun, KeepsTheBandWhereNoSpacingSlimsStrokes) {
   expect_same(stages, run_stages(image, close, {}));
 }
 
+// As a slider is dragged: strokes are slimmed in steps.
+TEST(Rerun, KeepsSlimmedStrokesAndTheirLabelsWithinAStep) {
+  const Image image = drawing();
+  Options slim = usual(), near = usual(), slimmer = usual();
+  slim.spacing = near.spacing = slimmer.spacing = std::nullopt;
+  Stages stages = run_stages(image, slim, {});
+  slim.spacing = 0.8 * stages.report.spacing;
+  near.spacing = 0.75 * stages.report.spacing;
+  slimmer.spacing = 0.6 * stages.report.spacing;
+  rerun_stages(stages, image, slim, {});
+  ASSERT_FALSE(stages.slim.mask.data.empty());
+  rerun_stages(stages, image, near, {});
+  EXPECT_FALSE(stages_run(stages).contains("slim ink"));
+  EXPECT_FALSE(stages_run(stages).contains("labels"));
+  EXPECT_TRUE(stages_run(stages).contains("grid map"));
+  expect_same(stages, run_stages(image, near, {}));
+  rerun_stages(stages, image, slimmer, {});
+  EXPECT_TRUE(stages_run(stages).contains("slim ink"));
+  expect_same(stages, run_stages(image, slimmer, {}));
+}
+
 TEST(Rerun, KeepsSlimmedStrokesWhereOnlyTheBandChanges) {
   const Image image = drawing();
   Options slim = with("spacing", "0.6");

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "drawings.h"
+#include "ink/preset.h"
 #include "ink/slim.h"
 
 namespace inkgrid {
@@ -56,13 +58,43 @@ std::pair<double, double> cut_down(const Mask& mask, int x, int from, int to) {
   return {0.5 * (first + last + 1), last + 1 - first};
 }
 
-TEST(Slim, ASpacingOfACellOrMoreKeepsThePen) {
-  EXPECT_EQ(slim_share(2), 1);
-  EXPECT_EQ(slim_share(0.7), 1);
-  EXPECT_DOUBLE_EQ(slim_share(0.35), 0.5);
+Ink line_of(double width) {
   Image image = blank(80, 80);
-  paint(image, {{10, 40}, {70, 40}}, 12);
-  EXPECT_EQ(slim_ink(ink_of(image), 1).mask.data, ink_of(image).mask.data);
+  paint(image, {{10, 40}, {70, 40}}, width);
+  return ink_of(image);
+}
+
+TEST(Slim, ASpacingOfACellOrMoreKeepsThePen) {
+  const Ink ink = line_of(12);
+  EXPECT_EQ(slim_share(ink, 2), 1);
+  EXPECT_EQ(slim_share(ink, 0.7), 1);
+  EXPECT_EQ(slim_ink(ink, 1).mask.data, ink.mask.data);
+}
+
+TEST(Slim, TheUsualSpacingIsACellOfTheSlimPen) {
+  for (const double width : {3.0, 5.0, 6.0, 7.0, 12.0}) {
+    const Ink ink = line_of(width);
+    const double usual = preset_values(Preset::clean, ink.stroke_width).spacing;
+    EXPECT_EQ(slim_share(ink, usual), usual / 0.7) << width;
+    EXPECT_NEAR(slim_share(ink, usual / 2), usual / 1.4, 1e-12) << width;
+  }
+}
+
+// As a slider is dragged: few steps, each not far from what the spacing alone would ask for.
+TEST(Slim, TheShareFollowsTheSpacingInSteps) {
+  const Ink ink = line_of(6);
+  std::set<double> shares;
+  for (int k = 100; k <= 700; ++k) {
+    const double spacing = 0.001 * k, share = slim_share(ink, spacing);
+    EXPECT_GE(share, shares.empty() ? 0 : *shares.rbegin()) << spacing;
+    EXPECT_NEAR(std::log2(share), std::log2(spacing / 0.7), 1.0 / 6 + 1e-9) << spacing;
+    shares.insert(share);
+  }
+  EXPECT_LE(shares.size(), 10u);
+  const double usual = preset_values(Preset::clean, ink.stroke_width).spacing;
+  EXPECT_TRUE(same_slimming(ink, usual, 0.9 * usual));
+  EXPECT_TRUE(same_slimming(ink, usual, 1.1 * usual));
+  EXPECT_FALSE(same_slimming(ink, usual, 0.8 * usual));
 }
 
 TEST(Slim, AStrokeKeepsItsMiddleAndItsEnds) {
@@ -126,7 +158,9 @@ TEST(Slim, ABroadPenIsSlimmedBesideAFineOneWhereTheGridIsAsFineAsThat) {
   paint(image, {{20, 140}, {280, 140}}, 8);
   const Ink ink = ink_of(image), slim = slim_ink(ink, 1);
   EXPECT_TRUE(is_slimmed(ink, 0.7));
-  EXPECT_FALSE(is_slimmed(ink, 1.5));
+  EXPECT_TRUE(is_slimmed(ink, 0.77));
+  EXPECT_TRUE(same_slimming(ink, 0.7, 0.77));
+  EXPECT_FALSE(is_slimmed(ink, 0.8));
   EXPECT_NEAR(cut_down(slim.mask, 150, 110, 170).second, 4, 1.1);
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 300; ++x) ASSERT_EQ(slim.mask(x, y), ink.mask(x, y));

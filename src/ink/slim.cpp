@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "ink/pen_strokes.h"
+#include "ink/preset.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kCellOfPen = 0.7;  // a grid cell is never less of the pen's width
+constexpr double kCellOfPen = 0.7;  // a grid cell is about so much of the pen's width at least
+constexpr int kStepsOfShare = 3;    // to its double
+constexpr double kFine = 0.785;     // strokes, half a step above a cell: up to here broader pens are slimmed
 constexpr float kSideRise = 0.75F;  // of the depth from a pixel to the next, px: less than 1 on the middle of a stroke alone
 constexpr float kDiagonalRise = 1.06F;
 constexpr double kThin = 0.7;   // of the usual width: strokes above it count as usual
@@ -166,17 +169,21 @@ bool has_rims(const Ink& ink) {
 
 }  // namespace
 
-double slim_share(double spacing) {
-  return std::min(1.0, spacing / kCellOfPen);
+// In steps, so that most changes of the spacing leave the ink as it is; the usual spacing is the middle of one.
+double slim_share(const Ink& ink, double spacing) {
+  if (spacing >= kCellOfPen) return 1;
+  const double usual = preset_values(Preset::clean, ink.stroke_width, ink.enlargement).spacing;
+  const double steps = std::round(kStepsOfShare * std::log2(spacing / usual));
+  return std::min(1.0, usual / kCellOfPen * std::exp2(steps / kStepsOfShare));
 }
 
-bool same_slimming(double spacing, double other) {
-  return slim_share(spacing) == slim_share(other) && (spacing <= kCellOfPen) == (other <= kCellOfPen);
+bool same_slimming(const Ink& ink, double spacing, double other) {
+  return slim_share(ink, spacing) == slim_share(ink, other) && (spacing <= kFine) == (other <= kFine);
 }
 
 bool is_slimmed(const Ink& ink, double spacing) {
-  if (spacing > kCellOfPen || !has_rims(ink)) return false;
-  return spacing < kCellOfPen || has_broad_strokes(ink);
+  if (spacing > kFine || !has_rims(ink)) return false;
+  return slim_share(ink, spacing) < 1 || has_broad_strokes(ink);
 }
 
 Ink slim_ink(const Ink& ink, double share) {

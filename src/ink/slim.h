@@ -9,10 +9,10 @@
 namespace inkgrid {
 
 // By how much strokes are to be slimmed for a grid spacing in strokes: 1 keeps most of them.
-double slim_share(double spacing);
+double slim_share(const Ink& ink, double spacing);
 
-// Whether slim_ink does the same for both spacings.
-bool same_slimming(double spacing, double other);
+// Whether slim_ink is to do the same for both spacings.
+bool same_slimming(const Ink& ink, double spacing, double other);
 
 // The same drawing with a pen of `share` (0..1] of the width.  Strokes keep their middles, ends and connections: paper is won
 // from the rim inwards, never through.  Strokes of a broader pen become as slim as the others, and so do blots more than twice as
