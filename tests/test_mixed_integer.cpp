@@ -372,6 +372,60 @@ TEST(MixedInteger, ALongChainKeepsItsEnergies) {
   }
 }
 
+// A long chain of pairs of reals, and integers that pull two of them each.
+MixedIntegerProblem many_integers(int pairs, int integers) {
+  std::vector<std::array<int, 2>> edges;
+  for (int i = 1; i < pairs; ++i) edges.push_back({i, i - 1});
+  MixedIntegerProblem problem{PairMatrix(pairs, edges),
+                              std::vector<RealPair>(static_cast<std::size_t>(pairs)),
+                              std::vector<SparseVector>(static_cast<std::size_t>(integers)),
+                              {},
+                              {}};
+  for (int i = 0; i < pairs; ++i) problem.reals.add(i, i, {4, 0.2, 0.2, 4.5});
+  for (const auto& [i, j] : edges) problem.reals.add(i, j, {-1, 0.1, 0.2, -0.9});
+  for (int i = 0; i < integers; ++i) {
+    problem.coupling[static_cast<std::size_t>(i)] = {{7 * i % (2 * pairs), -1}, {(13 * i + 5) % (2 * pairs), 0.5}};
+    problem.integral.push_back({i, i, 5});
+    problem.integral_b.push_back(0.37 * (i % 41));
+  }
+  return problem;
+}
+
+// x' A x / 2 - b' x, from the problem alone.
+double energy_of(const MixedIntegerProblem& problem, const MixedIntegerSolution& solution) {
+  std::vector<ComplexPair> reals;
+  for (const RealPair& pair : solution.reals) reals.push_back({pair.p, pair.q});
+  const std::vector<ComplexPair> image = problem.reals.times(reals);
+  double energy = 0;
+  for (std::size_t i = 0; i < reals.size(); ++i)
+    energy += 0.5 * (reals[i].p * image[i].p + reals[i].q * image[i].q).real() - problem.real_b[i].p * solution.reals[i].p -
+              problem.real_b[i].q * solution.reals[i].q;
+  for (std::size_t i = 0; i < solution.integers.size(); ++i) {
+    energy += solution.integers[i] * (0.5 * problem.integral[i].value * solution.integers[i] - problem.integral_b[i]);
+    for (const SparseTerm& term : problem.coupling[i]) {
+      const RealPair& pair = solution.reals[static_cast<std::size_t>(term.index / 2)];
+      energy += solution.integers[i] * term.value * (term.index % 2 == 0 ? pair.p : pair.q);
+    }
+  }
+  return energy;
+}
+
+TEST(MixedInteger, IsTheSameForAnyNumberOfThreads) {
+  const MixedIntegerProblem problem = many_integers(450, 600);
+  const MixedIntegerSolution alone = solve_mixed_integer(problem);
+  EXPECT_NEAR(alone.energy, energy_of(problem, alone), 1e-9 * std::abs(alone.energy));
+  for (const int threads : {2, 5}) {
+    const MixedIntegerSolution shared = solve_mixed_integer(problem, {}, {threads, {}});
+    EXPECT_EQ(shared.integers, alone.integers);
+    EXPECT_EQ(shared.energy, alone.energy);
+    EXPECT_EQ(shared.relaxed_energy, alone.relaxed_energy);
+    for (std::size_t i = 0; i < alone.reals.size(); ++i) {
+      ASSERT_EQ(shared.reals[i].p, alone.reals[i].p);
+      ASSERT_EQ(shared.reals[i].q, alone.reals[i].q);
+    }
+  }
+}
+
 TEST(MixedInteger, RefusesWhatHasNoMinimum) {
   const auto code_of = [](const Problem& problem) {
     try {

@@ -149,7 +149,8 @@ TEST(PairLdl, ProductsOfHalfSolvedVectorsAreThoseOfTheInverse) {
         RealPair& pair = vectors[k][static_cast<std::size_t>(sparse.back().index / 2)];
         (sparse.back().index % 2 ? pair.q : pair.p) += 1.0 + t;
       }
-      for (const SparseTerm& term : factor.half_solve(sparse, 0)) halves[k][static_cast<std::size_t>(term.index)] += term.value;
+      for (const SparseTerm& term : HalfSolver(factor).solve(sparse, 0))
+        halves[k][static_cast<std::size_t>(term.index)] += term.value;
     }
     const auto solved = factor.solve(vectors[1]);
     double expected = 0, product = 0;
@@ -205,6 +206,8 @@ TEST(PairLdl, IsTheSameForAnyNumberOfThreads) {
   const PairMatrix matrix = grid_matrix(kSide);
   std::mt19937 random(8);
   const auto right = random_pairs(random, kSide * kSide);
+  std::vector<RealPair> real_part;
+  for (const ComplexPair& pair : right) real_part.push_back({pair.p.real(), pair.q.real()});
   const auto alone = PairLdl(matrix).solve(right);
   const auto residual = matrix.times(alone);
   for (std::size_t i = 0; i < right.size(); ++i) {
@@ -212,10 +215,14 @@ TEST(PairLdl, IsTheSameForAnyNumberOfThreads) {
     ASSERT_LT(std::abs(residual[i].q - right[i].q), 1e-9);
   }
   for (const int threads : {2, 5}) {
-    const auto shared = PairLdl(matrix, {}, threads).solve(right);
+    const PairLdl factor(matrix, {}, threads);
+    const auto shared = factor.solve(right);
+    const auto shared_of_reals = factor.solve(real_part);
     for (std::size_t i = 0; i < right.size(); ++i) {
       ASSERT_EQ(shared[i].p, alone[i].p);
       ASSERT_EQ(shared[i].q, alone[i].q);
+      ASSERT_EQ(shared_of_reals[i].p, alone[i].p.real());
+      ASSERT_EQ(shared_of_reals[i].q, alone[i].q.real());
     }
   }
 }

@@ -54,5 +54,28 @@ TEST(ForRanges, SeveralThreadsTakePart) {
   EXPECT_EQ(waiting, 2);
 }
 
+TEST(AtOnce, CallsBothAndTellsOfExceptions) {
+  for (const int threads : {1, 2}) {
+    int first = 0, second = 0;
+    at_once(
+        threads, [&] { ++first; }, [&] { ++second; });
+    EXPECT_EQ(first, 1);
+    EXPECT_EQ(second, 1);
+    EXPECT_THROW(at_once(
+                     threads, [] {}, [] { throw std::runtime_error("second"); }),
+                 std::runtime_error);
+  }
+}
+
+TEST(AtOnce, IsAtTheSameTime) {
+  std::atomic<int> waiting = 0;
+  const auto wait_for_the_other = [&] {
+    ++waiting;
+    while (waiting < 2) std::this_thread::yield();
+  };
+  at_once(2, wait_for_the_other, wait_for_the_other);
+  EXPECT_EQ(waiting, 2);
+}
+
 }  // namespace
 }  // namespace inkgrid

@@ -45,6 +45,15 @@ void for_ranges(int threads, int count, int grain, Work work) {
   if (error) std::rethrow_exception(error);
 }
 
+// Both are called, at the same time where there are two threads; neither may write what the other reads.
+template <class First, class Second>
+void at_once(int threads, const First& first, const Second& second) {
+  for_ranges(threads, 2, 1, [&](int begin, int end) {
+    if (begin == 0) first();
+    if (end == 2) second();
+  });
+}
+
 // Calls work(i) for 0 .. count - 1 as for_ranges does one by one, where size(i) is largest first: what is begun last keeps
 // the others waiting.
 template <class Size, class Work>

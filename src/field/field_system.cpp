@@ -228,12 +228,7 @@ std::vector<std::array<int, 2>> edges_between_nodes(const BandMesh& mesh, const 
   return edges;
 }
 
-}  // namespace
-
-FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink, int threads) {
-  FieldSystem system{{space.size, edges_between_nodes(mesh, space)},
-                     std::vector<ComplexPair>(at(space.size)),
-                     std::vector<double>(mesh.points.size(), 0.0)};
+void add_faces(const BandMesh& mesh, const FieldSpace& space, const Ink& ink, int threads, FieldSystem& system) {
   const Raster<float> darkness = blurred(ink.darkness, blur_radius(ink.stroke_width), threads);
   std::vector<FaceTerms> terms(at(std::min(kFacesAtOnce, mesh.face_count())));
   for (int first = 0; first < mesh.face_count(); first += kFacesAtOnce) {
@@ -246,11 +241,26 @@ FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const 
       add_orthogonality(mesh, at(first + k), ink.stroke_width, system);
     }
   }
-  for (int v = 0; v < mesh.vertex_count(); ++v)
-    for (const int node : space.nodes[at(v)]) {
-      const double rest = kRestOrthogonality * system.orthogonality[at(v)];
+}
+
+void add_rest(const FieldSpace& space, FieldSystem& system) {
+  for (std::size_t v = 0; v < space.nodes.size(); ++v)
+    for (const int node : space.nodes[v]) {
+      const double rest = kRestOrthogonality * system.orthogonality[v];
       system.matrix.add(node, node, {rest, 0, 0, rest});
     }
+}
+
+}  // namespace
+
+FieldSystem assemble_field(const BandMesh& mesh, const FieldSpace& space, const Ink& ink, int threads) {
+  FieldSystem system{{space.size, edges_between_nodes(mesh, space)},
+                     std::vector<ComplexPair>(at(space.size)),
+                     std::vector<double>(mesh.points.size(), 0.0),
+                     {}};
+  at_once(
+      threads, [&] { add_faces(mesh, space, ink, threads, system); }, [&] { system.plan = plan_elimination(system.matrix); });
+  add_rest(space, system);
   return system;
 }
 

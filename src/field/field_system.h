@@ -18,6 +18,7 @@ struct FieldSystem {
   PairMatrix matrix;                  // smoothness, alignment, and a trace of orthogonality
   std::vector<ComplexPair> right;     // per node
   std::vector<double> orthogonality;  // per vertex: weight of |c2|^2 there, for each round in which its frame is degenerate
+  EliminationPlan plan;
 };
 
 // The same for any number of threads.

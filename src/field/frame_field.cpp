@@ -65,16 +65,19 @@ void add(std::vector<ComplexPair>& a, double factor, const std::vector<ComplexPa
 // The system with orthogonality weights that grow: one factorisation, then conjugate gradients with it as preconditioner.
 class ReweightedSystem {
  public:
-  ReweightedSystem(const FieldSystem& system, int threads)
-      : system_(system),
-        factor_(system.matrix, {}, threads),
-        weights_(system.right.size(), 0.0),
-        x_(factor_.solve(system.right)),
-        goal_(kResidual * kResidual * real_dot(system.right, x_)) {}
+  ReweightedSystem(FieldSystem system, int threads)
+      : system_(std::move(system)),
+        factor_(system_.matrix, std::move(system_.plan), threads),
+        weights_(system_.right.size(), 0.0),
+        x_(factor_.solve(system_.right)),
+        goal_(kResidual * kResidual * real_dot(system_.right, x_)) {}
 
   const std::vector<ComplexPair>& solution() const { return x_; }
 
-  void add_weight(int node, double weight) { weights_[at(node)] += weight; }
+  // Of |c2|^2, at a vertex between these nodes.
+  void add_weight(std::size_t vertex, const std::array<int, 2>& nodes) {
+    for (const int node : nodes) weights_[at(node)] += 0.5 * system_.orthogonality[vertex];
+  }
 
   // From the last solution on.
   void solve() {
@@ -109,7 +112,7 @@ class ReweightedSystem {
     return y;
   }
 
-  const FieldSystem& system_;
+  FieldSystem system_;
   PairLdl factor_;
   std::vector<double> weights_;  // of |c2|^2, per node
   std::vector<ComplexPair> x_;
@@ -148,16 +151,15 @@ FrameField solve_field(const BandMesh& mesh, const Ink& ink, const FieldOptions&
   FrameField field{std::vector<Complex>(n), std::vector<Complex>(n)};
   if (n == 0) return field;
   const FieldSpace space = coarse_space(mesh);
-  const FieldSystem system = assemble_field(mesh, space, ink, options.threads);
   const Degeneracy degeneracy(options);
-  for (ReweightedSystem reweighted(system, options.threads);; ++field.rounds) {
+  for (ReweightedSystem reweighted(assemble_field(mesh, space, ink, options.threads), options.threads);; ++field.rounds) {
     if (control.stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
     const auto degenerate = interpolate(space, reweighted.solution(), degeneracy, options.threads, field);
     std::size_t count = 0;
     for (std::size_t v = 0; v < n; ++v) {
       if (!degenerate[v]) continue;
       ++count;
-      for (const int node : space.nodes[v]) reweighted.add_weight(node, 0.5 * system.orthogonality[v]);
+      reweighted.add_weight(v, space.nodes[v]);
     }
     field.degenerate_fraction = static_cast<double>(count) / static_cast<double>(n);
     if (field.degenerate_fraction < options.degenerate_fraction || field.rounds >= options.rounds) return field;

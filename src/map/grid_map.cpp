@@ -27,7 +27,8 @@ struct Unknowns {
 void solve_component(const MapSetup& setup, const MapLayout& layout, int component, const MixedIntegerLimits& limits,
                      Unknowns& unknowns) {
   EliminationPlan& plan = unknowns.plans[at(component)];
-  MixedIntegerSolution solution = solve_mixed_integer(map_problem(setup, layout, component), std::move(plan), limits);
+  const MixedIntegerProblem problem = map_problem(setup, layout, component, &plan, limits.threads);
+  MixedIntegerSolution solution = solve_mixed_integer(problem, std::move(plan), limits);
   plan = std::move(solution.plan);
   const auto integer = [&](int place) { return static_cast<std::int64_t>(solution.integers[at(place)]); };
   for (std::size_t i = 0; i < layout.shift.size(); ++i)

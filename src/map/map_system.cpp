@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "map/known.h"
 
 namespace inkgrid {
@@ -21,8 +22,13 @@ class ComponentProblem {
     problem_.real_b.resize(at(layout.nodes[at(component)]));
     problem_.coupling.resize(at(layout.integers[at(component)]));
     problem_.integral_b.assign(at(layout.integers[at(component)]), 0.0);
-    for (const int f : layout.faces[at(component)]) is_plain(f) ? add_plain_face(f) : add_face(f);
   }
+
+  void add_faces(int component) {
+    for (const int f : layout_.faces[at(component)]) is_plain(f) ? add_plain_face(f) : add_face(f);
+  }
+
+  const PairMatrix& reals() const { return problem_.reals; }
 
   MixedIntegerProblem take() { return std::move(problem_); }
 
@@ -246,8 +252,16 @@ FaceFrame face_frame(const MapSetup& setup, int f) {
   return frame;
 }
 
-MixedIntegerProblem map_problem(const MapSetup& setup, const MapLayout& layout, int component) {
-  return ComponentProblem(setup, layout, component).take();
+MixedIntegerProblem map_problem(const MapSetup& setup, const MapLayout& layout, int component, EliminationPlan* plan,
+                                int threads) {
+  ComponentProblem problem(setup, layout, component);
+  const bool unplanned = plan && plan->starts.empty();
+  at_once(
+      unplanned ? threads : 1, [&] { problem.add_faces(component); },
+      [&] {
+        if (unplanned) *plan = plan_elimination(problem.reals());
+      });
+  return problem.take();
 }
 
 }  // namespace inkgrid

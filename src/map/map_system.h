@@ -65,6 +65,8 @@ struct FaceFrame {
 FaceFrame face_frame(const MapSetup& setup, int f);
 
 // Half of equation (4), but for a constant.
-MixedIntegerProblem map_problem(const MapSetup& setup, const MapLayout& layout, int component);
+// `plan`: of the elimination of the reals, made at the same time as their values where it is empty; or none.
+MixedIntegerProblem map_problem(const MapSetup& setup, const MapLayout& layout, int component, EliminationPlan* plan = nullptr,
+                                int threads = 1);
 
 }  // namespace inkgrid

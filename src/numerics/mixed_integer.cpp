@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -19,6 +20,8 @@ constexpr double kTie = 1e-9;
 constexpr double kNegligible = 1e-10;
 // Part of an integer's own row below which the elimination of the reals carries it no further.
 constexpr double kHalfSolveFloor = 1e-13;
+constexpr int kRowsAtOnce = 512;  // of the integers' system, half-solved before they are multiplied with each other
+constexpr int kRowsOfTask = 32;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -109,33 +112,61 @@ class Accumulator {
   std::vector<int> indices_;
 };
 
+// Some rows of the coupling, half-solved.
+std::vector<SparseVector> half_solved(const MixedIntegerProblem& problem, const PairLdl& factor,
+                                      const std::vector<double>& diagonal, int first, int last, int threads) {
+  std::vector<SparseVector> halves(at(last - first));
+  const int task = std::max(kRowsOfTask, (last - first) / (2 * thread_count(threads)));  // each has a solver of its own
+  for_ranges(threads, last - first, task, [&](int from, int end) {
+    HalfSolver solver(factor);
+    for (int i = from; i < end; ++i) {
+      const double floor = kHalfSolveFloor * std::sqrt(std::max(0.0, diagonal[at(first + i)]));
+      halves[at(i)] = solver.solve(problem.coupling[at(first + i)], floor);
+    }
+  });
+  return halves;
+}
+
+// With the half-solved rows up to number i, which is `half`; row i has a diagonal even where all is zero.
+void subtract_products(const SparseVector& half, const std::vector<SparseVector>& by_real, int i, Accumulator& row) {
+  row.add(i, 0);
+  for (const SparseTerm& mine : half)
+    for (const SparseTerm& other : by_real[at(mine.index)]) {
+      if (other.index > i) break;
+      row.add(other.index, -mine.value * other.value);
+    }
+}
+
 // The lower triangle of  S = integral - coupling real^(-1) coupling', by rows; the second part by products of half-solved rows.
-std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, PairLdl& factor) {
+std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, const PairLdl& factor, int threads) {
   const int size = integer_count(problem);
   const std::vector<double> diagonal = integral_diagonal(problem);
   std::vector<SparseVector> rows(at(size)), integral(at(size)), by_real(2 * problem.real_b.size());
   for (const auto& e : problem.integral) integral[at(e.row)].push_back({e.column, e.value});
-  Accumulator sum(size);
-  for (int i = 0; i < size; ++i) {
-    const double floor = kHalfSolveFloor * std::sqrt(std::max(0.0, diagonal[at(i)]));
-    sum.add(i, 0);
-    for (const SparseTerm& term : integral[at(i)]) sum.add(term.index, term.value);
-    for (const SparseTerm& mine : factor.half_solve(problem.coupling[at(i)], floor)) {
-      by_real[at(mine.index)].push_back({i, mine.value});
-      for (const SparseTerm& other : by_real[at(mine.index)]) sum.add(other.index, -mine.value * other.value);
-    }
-    rows[at(i)] = sum.take();
+  for (int first = 0; first < size; first += kRowsAtOnce) {
+    const int last = std::min(size, first + kRowsAtOnce);
+    const std::vector<SparseVector> halves = half_solved(problem, factor, diagonal, first, last, threads);
+    for (int i = first; i < last; ++i)
+      for (const SparseTerm& term : halves[at(i - first)]) by_real[at(term.index)].push_back({i, term.value});
+    for_ranges(threads, last - first, kRowsOfTask, [&](int from, int end) {
+      Accumulator sum(size);
+      for (int i = first + from; i < first + end; ++i) {
+        for (const SparseTerm& term : integral[at(i)]) sum.add(term.index, term.value);
+        subtract_products(halves[at(i - first)], by_real, i, sum);
+        rows[at(i)] = sum.take();
+      }
+    });
   }
   return rows;
 }
 
 // `answer`: the reals when all integers are zero.
-Reduced reduce(const MixedIntegerProblem& problem, PairLdl& factor, const std::vector<RealPair>& answer) {
+Reduced reduce(const MixedIntegerProblem& problem, const PairLdl& factor, const std::vector<RealPair>& answer, int threads) {
   const int size = integer_count(problem);
   Reduced reduced{std::vector<SparseVector>(at(size)), {}, problem.integral_b, -dot(problem.real_b, answer) / 2};
   for (int i = 0; i < size; ++i)
     for (const SparseTerm& term : problem.coupling[at(i)]) reduced.h[at(i)] -= term.value * scalar(answer, term.index);
-  const std::vector<SparseVector> lower = schur_complement(problem, factor);
+  const std::vector<SparseVector> lower = schur_complement(problem, factor, threads);
   for (int i = 0; i < size; ++i)
     for (const SparseTerm& term : lower[at(i)]) {
       if (term.index == i) {
@@ -265,8 +296,8 @@ std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const 
 MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan,
                                          const MixedIntegerLimits& limits) {
   require_finite(problem);
-  PairLdl factor(problem.reals, std::move(plan), limits.threads);
-  const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b));
+  const PairLdl factor(problem.reals, std::move(plan), limits.threads);
+  const Reduced reduced = reduce(problem, factor, factor.solve(problem.real_b), limits.threads);
   SparseLdl integer_factor = factorise(reduced, integral_diagonal(problem));
   if (static_cast<double>(reduced.size()) * static_cast<double>(integer_factor.entries()) > limits.work)
     throw Error(ErrorCode::usage,

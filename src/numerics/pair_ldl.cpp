@@ -81,43 +81,34 @@ void accumulate_starts(std::vector<int>& counts) {
   for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
 }
 
-// The strictly lower triangle of a permuted matrix by rows.
-struct Rows {
-  std::vector<int> starts;
-  std::vector<int> columns;
-  std::vector<Block> blocks;
-};
-
-Rows permuted_rows(const PairMatrix& matrix, const std::vector<int>& places) {
-  Rows rows;
-  rows.starts.assign(at(matrix.size()) + 1, 0);
+void plan_rows(const PairMatrix& matrix, EliminationPlan& plan) {
+  plan.row_starts.assign(at(matrix.size()) + 1, 0);
   const auto for_each_block = [&](auto visit) {
     for (int j = 0; j < matrix.size(); ++j)
       for (int k = matrix.starts()[at(j)]; k < matrix.starts()[at(j) + 1]; ++k)
-        visit(places[at(matrix.rows()[at(k)])], places[at(j)], matrix.blocks()[at(k)]);
+        visit(plan.places[at(matrix.rows()[at(k)])], plan.places[at(j)], k);
   };
-  for_each_block([&](int i, int j, const Block&) { ++rows.starts[at(std::max(i, j)) + 1]; });
-  accumulate_starts(rows.starts);
-  rows.columns.resize(at(rows.starts.back()));
-  rows.blocks.resize(at(rows.starts.back()));
-  std::vector<int> next(rows.starts.begin(), rows.starts.end() - 1);
-  for_each_block([&](int i, int j, const Block& block) {
+  for_each_block([&](int i, int j, int) { ++plan.row_starts[at(std::max(i, j)) + 1]; });
+  accumulate_starts(plan.row_starts);
+  plan.columns.resize(at(plan.row_starts.back()));
+  plan.sources.resize(at(plan.row_starts.back()));
+  std::vector<int> next(plan.row_starts.begin(), plan.row_starts.end() - 1);
+  for_each_block([&](int i, int j, int source) {
     const int k = next[at(std::max(i, j))]++;
-    rows.columns[at(k)] = std::min(i, j);
-    rows.blocks[at(k)] = i > j ? block : transposed(block);
+    plan.columns[at(k)] = std::min(i, j);
+    plan.sources[at(k)] = i > j ? source : ~source;
   });
-  return rows;
 }
 
 // The tree of elimination and the sizes of the columns.
-void plan_columns(const Rows& rows, EliminationPlan& plan) {
+void plan_columns(EliminationPlan& plan) {
   plan.parents.assign(plan.places.size(), -1);
   plan.starts.assign(plan.places.size() + 1, 0);
   std::vector<int> seen(plan.places.size(), -1);  // per column: the last row that visited it
   for (int k = 0; k < static_cast<int>(plan.places.size()); ++k) {
     seen[at(k)] = k;
-    for (int e = rows.starts[at(k)]; e < rows.starts[at(k) + 1]; ++e)
-      for (int i = rows.columns[at(e)]; seen[at(i)] != k; i = plan.parents[at(i)]) {
+    for (int e = plan.row_starts[at(k)]; e < plan.row_starts[at(k) + 1]; ++e)
+      for (int i = plan.columns[at(e)]; seen[at(i)] != k; i = plan.parents[at(i)]) {
         if (plan.parents[at(i)] < 0) plan.parents[at(i)] = k;
         ++plan.starts[at(i) + 1];
         seen[at(i)] = k;
@@ -127,6 +118,14 @@ void plan_columns(const Rows& rows, EliminationPlan& plan) {
 }
 
 }  // namespace
+
+EliminationPlan plan_elimination(const PairMatrix& matrix) {
+  EliminationPlan plan;
+  plan.places = elimination_places(matrix.starts(), matrix.rows());
+  plan_rows(matrix, plan);
+  plan_columns(plan);
+  return plan;
+}
 
 EliminationTasks elimination_tasks(const EliminationPlan& plan, double share) {
   const std::size_t size = plan.places.size();
@@ -156,8 +155,8 @@ namespace {
 class RowPattern {
  public:
   // For rows of at most `longest` columns.
-  RowPattern(const Rows& rows, const std::vector<int>& parents, std::vector<int>& seen, std::size_t longest)
-      : rows_(rows), parents_(parents), seen_(seen), pattern_(longest) {}
+  RowPattern(const EliminationPlan& plan, std::vector<int>& seen, std::size_t longest)
+      : plan_(plan), seen_(seen), pattern_(longest) {}
 
   // Ascending along every path of the tree.
   const int* begin() const { return pattern_.data() + top_; }
@@ -166,9 +165,9 @@ class RowPattern {
   void find(int k) {
     top_ = pattern_.size();
     seen_[at(k)] = k;
-    for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e) {
+    for (int e = plan_.row_starts[at(k)]; e < plan_.row_starts[at(k) + 1]; ++e) {
       std::size_t length = 0;
-      for (int i = rows_.columns[at(e)]; seen_[at(i)] != k; i = parents_[at(i)]) {
+      for (int i = plan_.columns[at(e)]; seen_[at(i)] != k; i = plan_.parents[at(i)]) {
         pattern_[length++] = i;
         seen_[at(i)] = k;
       }
@@ -177,8 +176,7 @@ class RowPattern {
   }
 
  private:
-  const Rows& rows_;
-  const std::vector<int>& parents_;
+  const EliminationPlan& plan_;
   std::vector<int>& seen_;
   std::vector<int> pattern_;
   std::size_t top_ = 0;
@@ -194,8 +192,8 @@ struct Factor {
 // Subtrees of the tree of elimination may be eliminated at the same time: each reads and writes only what is its own.
 class Elimination {
  public:
-  Elimination(const Rows& rows, const EliminationPlan& plan, std::vector<Block> diagonal)
-      : rows_(rows),
+  Elimination(const PairMatrix& matrix, const EliminationPlan& plan, std::vector<Block> diagonal)
+      : blocks_(matrix.blocks()),
         plan_(plan),
         pivots_(std::move(diagonal)),
         ends_(plan.starts.begin(), plan.starts.end() - 1),
@@ -206,9 +204,9 @@ class Elimination {
 
   // `places` with those below them that are not eliminated yet, ascending; rows of at most `longest` columns.
   void eliminate(const std::vector<int>& places, std::size_t longest) {
-    RowPattern pattern(rows_, plan_.parents, seen_, longest);
+    RowPattern pattern(plan_, seen_, longest);
     for (const int k : places) {
-      for (int e = rows_.starts[at(k)]; e < rows_.starts[at(k) + 1]; ++e) row_[at(rows_.columns[at(e)])] = rows_.blocks[at(e)];
+      for (int e = plan_.row_starts[at(k)]; e < plan_.row_starts[at(k) + 1]; ++e) row_[at(plan_.columns[at(e)])] = block(e);
       const double least = kPivotTolerance * trace(pivots_[at(k)]);
       pattern.find(k);
       for (const int i : pattern) subtract_column(i, k);
@@ -221,6 +219,12 @@ class Elimination {
   Factor take() { return std::move(factor_); }
 
  private:
+  // Of the permuted matrix.
+  Block block(int e) const {
+    const int source = plan_.sources[at(e)];
+    return source >= 0 ? blocks_[at(source)] : transposed(blocks_[at(~source)]);
+  }
+
   // From row k, which gets its entry in column i.
   void subtract_column(int i, int k) {
     const Block term = std::exchange(row_[at(i)], {});
@@ -232,7 +236,7 @@ class Elimination {
     factor_.blocks[at(ends_[at(i)]++)] = transposed(entry);
   }
 
-  const Rows& rows_;
+  const std::vector<Block>& blocks_;
   const EliminationPlan& plan_;
   std::vector<Block> pivots_;
   std::vector<int> ends_;   // of the part of each column that is known
@@ -241,10 +245,10 @@ class Elimination {
   Factor factor_;
 };
 
-Factor factorise(const PairMatrix& matrix, const Rows& rows, const EliminationPlan& plan, int threads) {
+Factor factorise(const PairMatrix& matrix, const EliminationPlan& plan, int threads) {
   std::vector<Block> diagonal(plan.places.size());
   for (std::size_t i = 0; i < diagonal.size(); ++i) diagonal[at(plan.places[i])] = matrix.diagonal()[i];
-  Elimination elimination(rows, plan, std::move(diagonal));
+  Elimination elimination(matrix, plan, std::move(diagonal));
   const EliminationTasks tasks = elimination_tasks(plan, kTaskShare);
   for_ranges(plan.places.size() < kWorthThreads ? 1 : threads, static_cast<int>(tasks.subtrees.size()), 1,
              [&](int first, int last) {
@@ -303,12 +307,8 @@ std::vector<ComplexPair> PairMatrix::times(const std::vector<ComplexPair>& x) co
 }
 
 PairLdl::PairLdl(const PairMatrix& matrix, EliminationPlan plan, int threads)
-    : plan_(std::move(plan)), work_(at(matrix.size())), marked_(at(matrix.size()), 0) {
-  const bool planned = !plan_.starts.empty();
-  if (!planned) plan_.places = elimination_places(matrix.starts(), matrix.rows());
-  const Rows rows = permuted_rows(matrix, plan_.places);
-  if (!planned) plan_columns(rows, plan_);
-  Factor factor = factorise(matrix, rows, plan_, threads);
+    : plan_(plan.starts.empty() ? plan_elimination(matrix) : std::move(plan)) {
+  Factor factor = factorise(matrix, plan_, threads);
   rows_ = std::move(factor.rows);
   blocks_ = std::move(factor.blocks);
   inverse_pivots_ = std::move(factor.inverse_pivots);
@@ -384,13 +384,17 @@ std::vector<Pair<Scalar>> PairLdl::solve(const std::vector<Pair<Scalar>>& right)
 template std::vector<RealPair> PairLdl::solve(const std::vector<RealPair>&) const;
 template std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>&) const;
 
+HalfSolver::HalfSolver(const PairLdl& factor)
+    : factor_(factor), work_(factor.plan_.places.size()), marked_(factor.plan_.places.size(), 0) {}
+
 // The columns that a solve with the right hand side `a` visits, each after those it depends on: the paths from its terms to the
 // root.
-std::vector<int> PairLdl::reach(const SparseVector& a) {
+std::vector<int> HalfSolver::reach(const SparseVector& a) {
+  const EliminationPlan& plan = factor_.plan_;
   std::vector<int> reversed, path;
   for (const SparseTerm& term : a) {
     path.clear();
-    for (int k = plan_.places[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = plan_.parents[at(k)]) {
+    for (int k = plan.places[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = plan.parents[at(k)]) {
       marked_[at(k)] = 1;
       path.push_back(k);
     }
@@ -401,24 +405,24 @@ std::vector<int> PairLdl::reach(const SparseVector& a) {
   return reversed;
 }
 
-SparseVector PairLdl::half_solve(const SparseVector& a, double floor) {
+SparseVector HalfSolver::solve(const SparseVector& a, double floor) {
   const std::vector<int> columns = reach(a);
   for (const SparseTerm& term : a) {
-    RealPair& pair = work_[at(plan_.places[at(term.index / 2)])];
+    RealPair& pair = work_[at(factor_.plan_.places[at(term.index / 2)])];
     (term.index % 2 == 0 ? pair.p : pair.q) += term.value;
   }
   SparseVector result;
   for (const int k : columns) {
     const RealPair yk = std::exchange(work_[at(k)], {});
     // D^(-1) = C C' with C = [root, 0; inverse.b / root, rest]; the terms are those of C' y.
-    const Block& inverse = inverse_pivots_[at(k)];
+    const Block& inverse = factor_.inverse_pivots_[at(k)];
     const double root = std::sqrt(inverse.a), rest = std::sqrt(std::max(0.0, inverse.d - inverse.b * inverse.b / inverse.a));
     const double first = root * yk.p + inverse.b / root * yk.q, second = rest * yk.q;
     if (std::abs(first) > floor) result.push_back({2 * k, first});
     if (std::abs(second) > floor) result.push_back({2 * k + 1, second});
     if (std::abs(first) <= floor && std::abs(second) <= floor) continue;
-    for (int e = plan_.starts[at(k)]; e < plan_.starts[at(k) + 1]; ++e)
-      work_[at(rows_[at(e)])] -= product(transposed(blocks_[at(e)]), yk);
+    for (int e = factor_.plan_.starts[at(k)]; e < factor_.plan_.starts[at(k) + 1]; ++e)
+      work_[at(factor_.rows_[at(e)])] -= product(transposed(factor_.blocks_[at(e)]), yk);
   }
   return result;
 }

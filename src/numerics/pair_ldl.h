@@ -90,7 +90,13 @@ struct EliminationPlan {
   std::vector<int> places;   // of each node in the order of elimination
   std::vector<int> parents;  // per place: that of the first row below the diagonal of its column of L, -1 where it has none
   std::vector<int> starts;   // L by columns, its unit diagonal left out
+  // The strictly lower triangle of P A P' by rows: its columns, and its blocks as their places among those of A, or ~place where
+  // they are transposed.
+  std::vector<int> row_starts, columns, sources;
 };
+
+// Reads no values, so that they may be written at the same time.
+EliminationPlan plan_elimination(const PairMatrix& matrix);
 
 // Places that may be eliminated at the same time: subtrees of the tree of elimination, and the rest above them.
 struct EliminationTasks {
@@ -114,16 +120,27 @@ class PairLdl {
   template <class Scalar>
   std::vector<Pair<Scalar>> solve(const std::vector<Pair<Scalar>>& right) const;
 
-  // D^(-1/2) L^(-1) P a without its terms below `floor` (in size), so that dot products of such vectors are a' A^(-1) b.
-  SparseVector half_solve(const SparseVector& a, double floor);
-
  private:
-  std::vector<int> reach(const SparseVector& a);
+  friend class HalfSolver;
 
   EliminationPlan plan_;
   std::vector<int> rows_;      // ascending in each column
   std::vector<Block> blocks_;  // of L, transposed
   std::vector<Block> inverse_pivots_;
+};
+
+// Solves with sparse right hand sides; one for each thread.
+class HalfSolver {
+ public:
+  explicit HalfSolver(const PairLdl& factor);
+
+  // D^(-1/2) L^(-1) P a without its terms below `floor` (in size), so that dot products of such vectors are a' A^(-1) b.
+  SparseVector solve(const SparseVector& a, double floor);
+
+ private:
+  std::vector<int> reach(const SparseVector& a);
+
+  const PairLdl& factor_;
   std::vector<RealPair> work_;  // zero between calls
   std::vector<char> marked_;    // zero between calls
 };
