@@ -166,11 +166,10 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
 
 // Bundles joined, but for those under a mask that asks for detail there, and strokes slimmed; empty where neither changes the
 // ink.
-JoinedInk ground_of(const Stages& stages, const ScaleMask* mask, bool slimmed) {
-  const double share = slim_share(stages.ink, *stages.inputs.settled.spacing);
-  if (stages.bundles.count == 0) return {slimmed ? slim_ink(stages.ink, share) : Ink{}, {}};
+JoinedInk ground_of(const Stages& stages, const ScaleMask* mask, std::optional<Slimming> slimming) {
+  if (stages.bundles.count == 0) return {slimming ? slim_ink(stages.ink, std::move(*slimming)) : Ink{}, {}};
   JoinedInk joined = join_bundles(stages.ink, stages.bundles, mask);
-  return {slimmed ? slim_ink(joined.ink, share) : std::move(joined.ink), std::move(joined.scale)};
+  return {slimming ? slim_ink(joined.ink, slimming->share) : std::move(joined.ink), std::move(joined.scale)};
 }
 
 // Changes two owners' inks over, and back at the end of its life.
@@ -263,7 +262,7 @@ Chains with_scribbles(Stages& stages, const Control& control) {
   }
   std::optional<JoinedInk> ground;
   if (stages.bundles.count > 0)
-    ground = ground_of(stages, &*stages.inputs.mask, is_slimmed(stages.ink, *stages.inputs.settled.spacing));
+    ground = ground_of(stages, &*stages.inputs.mask, slimming_of(stages.ink, *stages.inputs.settled.spacing));
   Scribbled scribbled = solve_scribbles(stages, [&](const ScaleMask& mask, const TouchedPart& part, double margin) {
     return solve_window(stages, ground ? &*ground : nullptr, mask, part, margin, control);
   });
@@ -294,9 +293,9 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
     stages.bundles = run("bundles", 0.08, [&] { return scout_bundles(stages, control); });
   if (first <= Stage::slim) {
     JoinedInk ground = run("slim ink", 0.28, [&] {
-      const bool slimmed = is_slimmed(stages.ink, *stages.inputs.settled.spacing);
-      if (slimmed || stages.bundles.count > 0) release(keep, stages.ink.depth, stages.ink.rise);
-      return ground_of(stages, nullptr, slimmed);
+      std::optional<Slimming> slimming = slimming_of(stages.ink, *stages.inputs.settled.spacing);
+      if (slimming || stages.bundles.count > 0) release(keep, stages.ink.depth, stages.ink.rise);
+      return ground_of(stages, nullptr, std::move(slimming));
     });
     stages.slim = std::move(ground.ink);
     stages.bundle_scale = std::move(ground.scale);

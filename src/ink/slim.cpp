@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "ink/pen_strokes.h"
 #include "ink/preset.h"
@@ -101,10 +102,17 @@ Raster<float> broad_strokes(const Ink& ink, double usual) {
   return broad;
 }
 
-bool has_broad_strokes(const Ink& ink) {
-  const Raster<float> depth = rim_distance(ink.mask);
-  const Raster<float> broad = broad_strokes(ink, usual_radius(depth, thickness_of(depth)));
-  return std::any_of(broad.data.begin(), broad.data.end(), [](float radius) { return radius > 0; });
+StrokeWidths widths_of(const Ink& ink) {
+  StrokeWidths widths;
+  widths.depth = rim_distance(ink.mask);
+  widths.thickness = thickness_of(widths.depth);
+  widths.usual = usual_radius(widths.depth, widths.thickness);
+  widths.broad = broad_strokes(ink, widths.usual);
+  return widths;
+}
+
+bool has_broad_strokes(const StrokeWidths& widths) {
+  return std::any_of(widths.broad.data.begin(), widths.broad.data.end(), [](float radius) { return radius > 0; });
 }
 
 // How far the rim moves inwards where ink has this radius, px, and so has, or has not (0), a stroke of a broader pen.
@@ -147,24 +155,25 @@ void peel(Raster<std::uint8_t>& mask, const Raster<float>& level, const Raster<f
   }
 }
 
-// Slims the strokes of the mask, which is that of the ink; what is left of the ink above the new rim, px, and below it less than
-// 0.
-Raster<float> peeled(Raster<std::uint8_t>& mask, const Ink& ink, double share) {
-  const Raster<float> depth = rim_distance(mask);
-  Raster<float> level = thickness_of(depth);
-  const double usual = usual_radius(depth, level);
-  const Raster<float> broad = broad_strokes(ink, usual);
+// Slims the strokes of the mask; what is left of the ink above the new rim, px, and below it less than 0.
+Raster<float> peeled(Raster<std::uint8_t>& mask, StrokeWidths widths, double share) {
+  Raster<float> level = std::move(widths.thickness);
   const auto as_double = [](float value) { return static_cast<double>(value); };
-  for (std::size_t i = 0; i < level.data.size(); ++i)
-    if (mask.data[i])
-      level.data[i] =
-          depth.data[i] - static_cast<float>(retreat(as_double(level.data[i]), as_double(broad.data[i]), usual, share));
-  peel(mask, level, depth);
+  for (std::size_t i = 0; i < level.data.size(); ++i) {
+    if (!mask.data[i]) continue;
+    const double moved = retreat(as_double(level.data[i]), as_double(widths.broad.data[i]), widths.usual, share);
+    level.data[i] = widths.depth.data[i] - static_cast<float>(moved);
+  }
+  peel(mask, level, widths.depth);
   return level;
 }
 
 bool has_rims(const Ink& ink) {
   return ink.pixels > 0 && ink.pixels < static_cast<long>(ink.mask.data.size());
+}
+
+bool may_be_slimmed(const Ink& ink, double spacing) {
+  return spacing <= kFine && has_rims(ink);
 }
 
 }  // namespace
@@ -182,14 +191,24 @@ bool same_slimming(const Ink& ink, double spacing, double other) {
 }
 
 bool is_slimmed(const Ink& ink, double spacing) {
-  if (spacing > kFine || !has_rims(ink)) return false;
-  return slim_share(ink, spacing) < 1 || has_broad_strokes(ink);
+  if (!may_be_slimmed(ink, spacing)) return false;
+  return slim_share(ink, spacing) < 1 || has_broad_strokes(widths_of(ink));
+}
+
+std::optional<Slimming> slimming_of(const Ink& ink, double spacing) {
+  if (!may_be_slimmed(ink, spacing)) return std::nullopt;
+  Slimming slimming{slim_share(ink, spacing), widths_of(ink)};
+  if (slimming.share == 1 && !has_broad_strokes(slimming.widths)) return std::nullopt;
+  return slimming;
 }
 
 Ink slim_ink(const Ink& ink, double share) {
-  if (!has_rims(ink)) return ink;
+  return has_rims(ink) ? slim_ink(ink, {share, widths_of(ink)}) : ink;
+}
+
+Ink slim_ink(const Ink& ink, Slimming slimming) {
   Binarisation slim{ink.mask, {}, ink.threshold, ink.inverted};
-  slim.darkness = peeled(slim.ink, ink, share);
+  slim.darkness = peeled(slim.ink, std::move(slimming.widths), slimming.share);
   for (std::size_t i = 0; i < slim.darkness.data.size(); ++i) {
     float& dark = slim.darkness.data[i];
     if (ink.mask.data[i])

@@ -4,6 +4,8 @@
 // Cost:   linear in the pixels, and in the ink times the stroke width.
 #pragma once
 
+#include <optional>
+
 #include "ink/ink.h"
 
 namespace inkgrid {
@@ -21,5 +23,24 @@ Ink slim_ink(const Ink& ink, double share);
 
 // Whether slim_ink is to be used for the spacing, and changes anything.
 bool is_slimmed(const Ink& ink, double spacing);
+
+// Of the strokes around each pixel of ink, px.
+struct StrokeWidths {
+  Raster<float> depth;      // from the rim
+  Raster<float> thickness;  // half the width
+  Raster<float> broad;      // half that of a broader pen, 0 elsewhere
+  double usual = 0;         // half the width of most
+};
+
+struct Slimming {
+  double share;
+  StrokeWidths widths;
+};
+
+// What is to be done for the spacing: nothing unless is_slimmed.
+std::optional<Slimming> slimming_of(const Ink& ink, double spacing);
+
+// As above; the widths are found already.
+Ink slim_ink(const Ink& ink, Slimming slimming);
 
 }  // namespace inkgrid

@@ -14,7 +14,8 @@ CLEAN = {
     'binarise': 26,
     'find_fills': 39,
     'measure_ink': 27,
-    'slim_ink': 57,   # half of it looks for strokes of a broader pen
+    'slimming_of': 42,
+    'slim_ink': 15.4,
     'build_band': 74,
     'solve_field': 97,
     'comb_charts': 23,
