@@ -236,6 +236,18 @@ TEST(Fills, HatchingIsNone) {
   EXPECT_EQ(fills_of(image).count, 0);
 }
 
+// Its cells are as large as specks of paper in a fill may be.
+TEST(Fills, CrossedHatchingIsNone) {
+  for (const double apart : {10, 12, 13}) {
+    Image image = blank(300, 300);
+    for (double x = 40; x <= 260; x += apart) {
+      paint(image, {{x, 30}, {x + 8, 270}}, 3.5);
+      paint(image, {{30, x}, {270, x - 8}}, 3.5);
+    }
+    EXPECT_EQ(fills_of(image).count, 0) << apart;
+  }
+}
+
 TEST(Fills, InkAtTheBorderIsOutlinedAlongIt) {
   Image image = blank(200, 160);
   fill(image, {{-10, -10}, {60, -10}, {60, 50}, {-10, 50}});

@@ -22,12 +22,29 @@ std::vector<std::pair<int, int>> hole_at(int x, int y, const Raster<std::uint8_t
   return hole;
 }
 
-float distance_to_paper(int x, int y, const Raster<std::uint8_t>& ink) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < ink.height; ++j)
-    for (int i = 0; i < ink.width; ++i)
-      if (!ink(i, j)) least = std::min(least, std::hypot(i - x, j - y));
-  return static_cast<float>(least);
+// Per pixel the distance to the nearest paper, by looking at all of it.
+Raster<float> depth_slowly(const Raster<std::uint8_t>& ink) {
+  Raster<float> depth(ink.width, ink.height);
+  for (int y = 0; y < ink.height; ++y)
+    for (int x = 0; x < ink.width; ++x) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int j = 0; j < ink.height; ++j)
+        for (int i = 0; i < ink.width; ++i)
+          if (!ink(i, j)) least = std::min(least, std::hypot(i - x, j - y));
+      depth(x, y) = static_cast<float>(least);
+    }
+  return depth;
+}
+
+// The greatest in the box around the hole, widened by `margin`.
+float greatest_around(const std::vector<std::pair<int, int>>& hole, int margin, const Raster<float>& depth) {
+  const auto [left, right] = std::ranges::minmax(hole, {}, &std::pair<int, int>::first);
+  const auto [top, bottom] = std::ranges::minmax(hole, {}, &std::pair<int, int>::second);
+  float most = 0;
+  for (int y = top.second - margin; y <= bottom.second + margin; ++y)
+    for (int x = left.first - margin; x <= right.first + margin; ++x)
+      if (depth.contains(x, y)) most = std::max(most, depth(x, y));
+  return most;
 }
 
 Raster<std::uint8_t> closed_slowly(const Raster<std::uint8_t>& ink) {
@@ -35,13 +52,14 @@ Raster<std::uint8_t> closed_slowly(const Raster<std::uint8_t>& ink) {
   for (int y = 0; y < ink.height; ++y)
     for (int x = 0; x < ink.width; ++x)
       if (!ink(x, y) && hole_at(x, y, ink).size() <= 100) without(x, y) = 1;
+  const Raster<float> depth = depth_slowly(ink), deepest = depth_slowly(without);
   for (int y = 0; y < ink.height; ++y)
     for (int x = 0; x < ink.width; ++x) {
       if (ink(x, y) || !without(x, y)) continue;
       const auto hole = hole_at(x, y, ink);
-      closed(x, y) = std::any_of(hole.begin(), hole.end(), [&](auto p) {
-        return distance_to_paper(p.first, p.second, without) > 3 * std::sqrt(static_cast<float>(hole.size()));
-      });
+      const float width = std::sqrt(static_cast<float>(hole.size()));
+      const bool deep = std::any_of(hole.begin(), hole.end(), [&](auto p) { return deepest(p.first, p.second) > 3 * width; });
+      closed(x, y) = deep && greatest_around(hole, static_cast<int>(2 * width), depth) > width;
     }
   return closed;
 }
@@ -87,6 +105,13 @@ TEST(Specks, TheSheetOfATinyDrawingIsNone) {
     for (int i = 2; i < side; ++i) ink(i, i) = 1;
     EXPECT_EQ(close_specks(ink).data, ink.data) << side;
   }
+}
+
+TEST(Specks, TheCellsOfAHatchingAreNone) {
+  Raster<std::uint8_t> ink(90, 90);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 90; ++x) ink(x, y) = x % 10 < 3 || y % 10 < 3;
+  EXPECT_EQ(close_specks(ink).data, ink.data);
 }
 
 }  // namespace

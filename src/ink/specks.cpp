@@ -11,8 +11,10 @@
 namespace inkgrid {
 namespace {
 
-constexpr int kLargest = 100;     // px^2, of paper that shows through
-constexpr float kDepthOfInk = 3;  // times the width of the speck, around it
+constexpr int kLargest = 100;       // px^2, of paper that shows through
+constexpr float kDepthOfInk = 3;    // times the width of the speck, without it and all others
+constexpr float kDepthBetween = 1;  // times that, between them: the cells of a hatching are no specks
+constexpr float kNear = 2;          // times that, on all sides of it
 
 // Pixels x0 .. x1 - 1 of a row, all of them paper.
 struct Run {
@@ -60,6 +62,10 @@ std::vector<Speck> specks_in(const Raster<std::uint8_t>& ink) {
   return specks;
 }
 
+float width_of(const Speck& speck) {
+  return std::sqrt(static_cast<float>(speck.size));
+}
+
 void paint(const Speck& speck, std::uint8_t value, Raster<std::uint8_t>& ink) {
   for (const Run& run : speck.runs)
     std::fill(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.x0, run.y)),
@@ -73,19 +79,38 @@ float greatest(const Raster<float>& depth, const Speck& speck) {
   return most;
 }
 
+// The same in the box around it, with two of its widths on all sides.
+float greatest_near(const Raster<float>& depth, const Speck& speck) {
+  const int margin = static_cast<int>(kNear * width_of(speck));
+  Run box = speck.runs.front();
+  for (const Run& run : speck.runs) box = {box.y, std::min(box.x0, run.x0), std::max(box.x1, run.x1)};
+  float most = 0;
+  for (int y = std::max(0, box.y - margin); y <= std::min(depth.height - 1, speck.runs.back().y + margin); ++y)
+    for (int x = std::max(0, box.x0 - margin); x < std::min(depth.width, box.x1 + margin); ++x)
+      most = std::max(most, depth(x, y));
+  return most;
+}
+
 }  // namespace
 
 Raster<std::uint8_t> close_specks(const Raster<std::uint8_t>& ink) {
   Raster<std::uint8_t> closed = ink;
-  const std::vector<Speck> specks = specks_in(ink);
+  std::vector<Speck> specks = specks_in(ink);
   if (specks.empty()) return closed;
   const auto pixels = static_cast<std::ptrdiff_t>(ink.data.size()), paper = std::count(ink.data.begin(), ink.data.end(), 0);
   for (const Speck& speck : specks) paint(speck, 1, closed);
   const bool none_left = std::find(closed.data.begin(), closed.data.end(), 0) == closed.data.end();
   if (none_left && 2 * paper > pixels) return ink;  // the sheet of a drawing so small that it has no more
-  const Raster<float> depth = depth_of(closed);
-  for (const Speck& speck : specks)
-    if (greatest(depth, speck) <= kDepthOfInk * std::sqrt(static_cast<float>(speck.size))) paint(speck, 0, closed);
+  const auto reopen = [&](const Raster<std::uint8_t>& mask, auto depth_at, float widths) {
+    const Raster<float> depth = depth_of(mask);
+    std::erase_if(specks, [&](const Speck& speck) {
+      const bool open = depth_at(depth, speck) <= widths * width_of(speck);
+      if (open) paint(speck, 0, closed);
+      return open;
+    });
+  };
+  reopen(Raster(closed), greatest, kDepthOfInk);
+  if (!specks.empty()) reopen(ink, greatest_near, kDepthBetween);
   return closed;
 }
 

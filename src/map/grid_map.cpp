@@ -6,7 +6,6 @@
 #include <exception>
 #include <mutex>
 #include <numeric>
-#include <string>
 #include <thread>
 
 #include "base/parallel.h"
@@ -103,8 +102,6 @@ class ComponentSolver {
     try {
       solve_component(setup_, layout_, component, {threads_for(component), control_.stop}, unknowns_);
     } catch (const Error& error) {
-      if (error.code() == ErrorCode::usage)
-        throw Error(error.code(), std::string(error.what()) + "; a larger merge-difference leaves fewer.");
       if (error.code() != ErrorCode::numerics) throw;
       failed_[at(component)] = 1;
     }

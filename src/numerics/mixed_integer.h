@@ -34,14 +34,15 @@ struct MixedIntegerSolution {
 struct MixedIntegerLimits {
   int threads = 1;
   std::stop_token stop = {};
-  double work = 1e10;  // of the rounding: integers times entries of the factor of their system; some 20 seconds
+  int one_by_one = 3000;  // more integers are fixed in batches, and what hardly couples them is left out
 };
 
-// Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.
+// Greedy: the integer unknown nearest to an integer is fixed, the others answer, and so on.  Ties: the smaller index.  Where they
+// are many, the nearest 32nd part of those that are left is fixed at once.
 // Then single integers and pairs of coupled ones move by one as long as the energy falls, the steepest move first.
 // `plan`: that of an earlier problem whose reals had blocks at the same places, or none.
 // The result is the same for any number of threads.  Throws Error{numerics} when A is not positive definite or holds a value that
-// is not finite, Error{usage} beyond the limit of work, Error{cancelled} where it is asked to stop while integers are rounded.
+// is not finite, Error{cancelled} where it is asked to stop while integers are rounded.
 MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan = {},
                                          const MixedIntegerLimits& limits = {});
 

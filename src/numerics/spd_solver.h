@@ -24,9 +24,6 @@ class SparseLdl {
 
   std::vector<double> solve(const std::vector<double>& b) const;
 
-  // Of the factor.
-  std::size_t entries() const { return row_.size(); }
-
   // From now on unknown i is held at zero: the others form the system without its row and column.
   void remove(int i);
 
