@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "drawn_bands.h"
 #include "ink/preset.h"
@@ -86,6 +87,35 @@ TEST(Preset, BlackStrokesWithSlitsAreRough) {
   for (const double y : {40.0, 90.0, 150.0})
     for (int k = 0; k < 5; ++k) paint(image, wave(y + 3 * k, 0.9 * k), 2.5 + 0.8 * (k % 3));
   EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+}
+
+// Most of the paper between them is closed, but for grey seams.
+TEST(Preset, ACircleDrawnOverSeveralTimesIsRough) {
+  Image image = blank(300, 300);
+  for (int k = 0; k < 5; ++k) {
+    std::vector<Vec2> round;
+    for (double t = 0; t < 2.1 * std::numbers::pi; t += 0.02)
+      round.push_back(Vec2{150, 150} + (100 + 3.8 * std::sin(2 * t + 3.3 * k)) * Vec2{std::cos(t + k), std::sin(t + k)});
+    paint(image, round, 3);
+  }
+  const Ink ink = ink_of(image);
+  EXPECT_LT(measure_sketchiness(ink).slits, 0.03);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink), Preset::rough);
+}
+
+// Acute corners of thick outlines and thin details leave slits as well.
+TEST(Preset, AnOutlineAndItsDetailsAreClean) {
+  Image image = blank(300, 300);
+  for (int k = 0; k < 8; ++k) {
+    const double turn = 0.8 * k;
+    const Vec2 tip = Vec2{150, 150} + 110 * Vec2{std::cos(turn), std::sin(turn)};
+    for (const double half : {-0.12, 0.12})
+      paint(image, {tip, tip - 90 * Vec2{std::cos(turn + half), std::sin(turn + half)}}, k % 2 ? 6 : 4);
+  }
+  const Sketchiness s = measure_sketchiness(ink_of(image));
+  EXPECT_GT(s.slits, 0.009);
+  EXPECT_GT(s.uneven_width, 0.48);
+  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
 }
 
 // Whole pixels measure strokes of 2.5 px here as 2 wide, there as 4.
