@@ -87,6 +87,16 @@ TEST(ImageIo, AlphaLiesOverWhite) {
   expect_pixels(decode_image(encode(pix, IFF_TIFF_LZW), "x"), expected, 1);
 }
 
+// A column of ink with nothing on both sides of it.
+TEST(ImageIo, LightInkOnNothingLiesOverBlack) {
+  for (const int ink : {250, 100}) {
+    const PixOwner pix = colour_pix([&](int x, int) { return Colour{ink, ink, ink, x == 1 ? 255 : 0}; }, true);
+    const int paper = ink == 250 ? 0 : 255;
+    expect_pixels(
+        decode_image(encode(pix, IFF_PNG), "x"), [&](int x, int) { return x == 1 ? ink : paper; }, 0);
+  }
+}
+
 TEST(ImageIo, ResolutionIsInPixelsPerMillimetre) {
   for (const int format : {IFF_PNG, IFF_JFIF_JPEG, IFF_TIFF, IFF_BMP}) {
     PixOwner pix = grey_pix(8);

@@ -51,6 +51,8 @@ DecodedImage decode(std::span<const char> bytes, const std::string& name) {
   return upright(std::move(*image), header.orientation);
 }
 
+constexpr int kLight = 192;  // luma
+
 struct Rgba {
   int red, green, blue, alpha;
 };
@@ -86,6 +88,18 @@ Scribble scribble_of(Rgba c) {
 
 bool is_see_through(Rgba c) {
   return c.alpha < 64;
+}
+
+// What shows through: white paper, but black behind a drawing in light ink alone, of which white paper would leave nothing.
+int paper_behind(const DecodedImage& image) {
+  bool see_through = false, light_alone = true;
+  visit_pixels(image, [&](Rgba c) {
+    if (is_see_through(c))
+      see_through = true;
+    else
+      light_alone = light_alone && luma(c) >= kLight;
+  });
+  return see_through && light_alone ? 0 : 255;
 }
 
 float factor_of_grey(Rgba c) {
@@ -126,8 +140,9 @@ Image decode_image(std::span<const char> bytes, const std::string& name) {
   const DecodedImage decoded = decode(bytes, name);
   Image image{decoded.width, decoded.height, {}, decoded.pixels_per_mm};
   image.grey.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  const int paper = paper_behind(decoded);
   visit_pixels(decoded, [&](Rgba c) {
-    image.grey.push_back(static_cast<std::uint8_t>((luma(c) * c.alpha + 255 * (255 - c.alpha) + 127) / 255));
+    image.grey.push_back(static_cast<std::uint8_t>((luma(c) * c.alpha + paper * (255 - c.alpha) + 127) / 255));
   });
   return image;
 }

@@ -14,7 +14,8 @@ namespace inkgrid {
 // The bytes of a file, or of standard input for "-".  Throws Error{file} with a sentence that names the file.
 std::string read_bytes(const std::string& path);
 
-// PNG, JPEG, TIFF, WebP, BMP, PNM; alpha composited over white; grey, RGB, palette, 1- and 16-bit; colour to luma.
+// PNG, JPEG, TIFF, WebP, BMP, PNM; alpha composited over white, or over black where all that is not see-through is light; grey,
+// RGB, palette, 1- and 16-bit; colour to luma.
 // `name` is only for messages.  Throws Error{file} when the bytes are no image, truncated, or larger than 400 Mpx.
 Image decode_image(std::span<const char> bytes, const std::string& name);
 
