@@ -290,6 +290,29 @@ TEST(Hatching, CrossedHasItsCrossingsOnly) {
   EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
 }
 
+// Its cells are small enough to be specks of paper in a fill.
+TEST(Hatching, CrossedCloselyIsNoFill) {
+  for (const double apart : {9.0, 12.0}) {
+    SCOPED_TRACE(apart);
+    std::vector<Line> truth;
+    for (int k = 0; k < 10; ++k) {
+      truth.push_back({{20, 40 + apart * k}, {60 + apart * 10, 32 + apart * k}});
+      truth.push_back({{36 + apart * k, 20}, {44 + apart * k, 60 + apart * 10}});
+    }
+    const int size = static_cast<int>(80 + apart * 10);
+    const Drawing drawing = traced(painted(truth, 3, size, size));
+    EXPECT_TRUE(drawing.fills.empty());
+    EXPECT_NEAR(static_cast<double>(drawing.junctions.size()), 100, 3);
+    double found = 0, drawn = 0;
+    for (const Line& line : truth) drawn += length_of(line);
+    for (const Line& line : lines_of(drawing)) {
+      found += length_of(line);
+      for (const Vec2 p : line) EXPECT_LT(distance(p, truth), 1.5) << "beside the ink";
+    }
+    EXPECT_NEAR(found, drawn, 0.02 * drawn);
+  }
+}
+
 // ---------------------------------------------------------------- tiny details
 
 TEST(TinyDetails, DotsStayDotsBesideLines) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "dense_systems.h"
 #include "inkgrid/inkgrid.h"
 #include "numerics/mixed_integer.h"
 
@@ -135,15 +136,9 @@ Problem problem_of(const MatrixXd& a, const VectorXd& b, const std::vector<int>&
 // A sum of squares of few-term residuals, as in a map, plus a small damping.
 Problem random_problem(std::mt19937& random, int size, int integer_count) {
   std::normal_distribution<double> normal;
-  std::uniform_int_distribution<int> pick(0, size - 1);
-  MatrixXd a = 0.05 * MatrixXd::Identity(size, size);
   VectorXd b(size);
   for (int i = 0; i < size; ++i) b[i] = 3 * normal(random);
-  for (int k = 0; k < 2 * size; ++k) {
-    VectorXd row = VectorXd::Zero(size);
-    for (int t = 0; t < 3; ++t) row[pick(random)] += normal(random);
-    a += row * row.transpose();
-  }
+  const MatrixXd a = testing::random_spd(random, size);
   std::vector<int> order(static_cast<std::size_t>(size));
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), random);
@@ -446,26 +441,6 @@ TEST(MixedInteger, RefusesWhatHasNoMinimum) {
   EXPECT_EQ(code_of({1, {{0, 0, 1.0}}, {nan}, {0}}), ErrorCode::numerics);
 }
 
-// Fixing some at once is worse than one by one by less than what the search gains.
-TEST(MixedInteger, ManyAreFixedInBatches) {
-  std::mt19937 random(12);
-  double one_by_one = 0, batches = 0, searched = 0;
-  int different = 0;
-  for (int trial = 0; trial < 10; ++trial) {
-    const MixedIntegerProblem problem = paired(random_problem(random, 300, 200));
-    const auto one = solve_mixed_integer(problem), many = solve_mixed_integer(problem, {}, {1, {}, 199});
-    for (const double x : many.integers) EXPECT_EQ(x, std::round(x));
-    EXPECT_NEAR(many.relaxed_energy, one.relaxed_energy, 1e-4 * (1 + std::abs(one.relaxed_energy)));
-    one_by_one += one.greedy_energy - one.relaxed_energy;
-    batches += many.greedy_energy - many.relaxed_energy;
-    searched += many.energy - many.relaxed_energy;
-    different += many.integers != one.integers;
-  }
-  EXPECT_GT(different, 0) << "nothing was fixed at once";
-  EXPECT_LT(batches, 1.1 * one_by_one);
-  EXPECT_LT(searched, one_by_one);
-}
-
 TEST(MixedInteger, StopsWhereItIsAskedTo) {
   std::mt19937 random(12);
   std::stop_source stop;
@@ -478,32 +453,6 @@ TEST(MixedInteger, StopsWhereItIsAskedTo) {
     ADD_FAILURE() << "it went on";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::cancelled);
-  }
-}
-
-SparseLdl factor_of(const MatrixXd& a) {
-  const Problem problem = problem_of(a, VectorXd::Zero(a.rows()), {});
-  const VectorXd diagonal = a.diagonal();
-  return SparseLdl(problem.size, problem.lower, {diagonal.data(), diagonal.data() + diagonal.size()});
-}
-
-TEST(SparseLdl, RemovedUnknownsLeaveTheRestOfTheSystem) {
-  std::mt19937 random(10);
-  const int size = 30;
-  const MatrixXd a = dense_matrix(random_problem(random, size, 0));
-  const VectorXd b = VectorXd::LinSpaced(size, -1, 2);
-  SparseLdl factor = factor_of(a);
-  std::vector<int> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), random);
-  while (!order.empty()) {
-    const VectorXd x = dense_vector(factor.solve({b.data(), b.data() + size}));
-    const VectorXd rest = MatrixXd(a(order, order)).llt().solve(VectorXd(b(order)));
-    VectorXd expected = VectorXd::Zero(size);
-    expected(order) = rest;
-    EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
-    factor.remove(order.back());
-    order.pop_back();
   }
 }
 

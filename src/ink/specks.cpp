@@ -109,7 +109,7 @@ Raster<std::uint8_t> close_specks(const Raster<std::uint8_t>& ink) {
       return open;
     });
   };
-  reopen(Raster(closed), greatest, kDepthOfInk);
+  reopen(closed, greatest, kDepthOfInk);
   if (!specks.empty()) reopen(ink, greatest_near, kDepthBetween);
   return closed;
 }

@@ -14,6 +14,8 @@ namespace inkgrid {
 
 namespace {
 
+// Distances to the nearest integer that differ by less are a tie: rounding errors must not choose.
+constexpr double kTie = 1e-9;
 constexpr double kBatch = 1.0 / 32;  // of the integers that are left
 constexpr double kRelaxed = 1e-3;    // the residual of an integer's row, in that integer, while all are real
 constexpr int kMostSteps = 10000;    // of conjugate gradients

@@ -11,9 +11,6 @@
 
 namespace inkgrid {
 
-// Distances to the nearest integer that differ by less are a tie: rounding errors must not choose.
-constexpr double kTie = 1e-9;
-
 // x' S x / 2 - h' x + constant, S symmetric positive definite.
 struct Quadratic {
   std::vector<SparseVector> rows;  // of S, without its diagonal
