@@ -32,7 +32,7 @@ bool same_ground(const Stages& before, double spacing) {
 }  // namespace
 
 bool is_ink_of(const Stages& before, const Inputs& now) {
-  return same_ink(before.inputs, now) && enlargement_for(before.of_fine_pen, now.options.preset) == before.ink.enlargement;
+  return same_ink(before.inputs, now) && enlargement_for(before.look, now.options.preset) == before.ink.enlargement;
 }
 
 Stage first_stage_changed(const Stages& before, const Inputs& now) {
@@ -48,7 +48,7 @@ void move_kept(Stage first, Stages& from, Stages& to) {
   const auto move = [&](Stage stage, auto... members) {
     if (stage < first) ((to.*members = std::move(from.*members)), ...);
   };
-  move(Stage::ink, &Stages::fills, &Stages::ink, &Stages::of_fine_pen);
+  move(Stage::ink, &Stages::fills, &Stages::ink, &Stages::look);
   move(Stage::bundles, &Stages::bundles);
   move(Stage::slim, &Stages::slim, &Stages::bundle_scale);
   move(Stage::band, &Stages::mesh);

@@ -1,15 +1,15 @@
 // What:   the options that the drawing decides where nobody did.
 // Source: sections 5 and 7, where a person chooses them.
 // Differs: docs/METHOD.md, "Presets", "Fine pens", "Bundles".
-// Cost:   that of choose_preset.
+// Cost:   a few comparisons.
 #pragma once
 
 #include "stages.h"
 
 namespace inkgrid {
 
-// By how much the picture is enlarged: `of_fine_pen` as in Stages, `given` as in Options.
-int enlargement_for(const std::optional<Preset>& of_fine_pen, Preset given);
+// By how much a picture is enlarged; `given` as in Options.
+int enlargement_for(const Look& look, Preset given);
 
 // Writes Inputs::settled: preset, reach, spacing, gap and what becomes of bundles.  `measured`: stages that hold the ink, which
 // may be those of an earlier run.

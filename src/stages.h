@@ -24,12 +24,18 @@ struct Inputs {
   Options settled;                // as used: preset, reach and spacing decided by the ink
 };
 
+// Of a picture as it came, before it is enlarged.
+struct Look {
+  Preset preset = Preset::clean;
+  bool fine = false;  // of a fine pen, or of fine slits (ink/enlarge.h)
+};
+
 struct SolvedPart;  // scribbles/parts.h
 
 // What every stage made, each written once; for pictures and for running again from the middle.  No stage receives it.  All up to
 // the parts is in pixels of the ink, which may be those of an enlarged picture; chains and drawing are in the drawing's own.
 struct Stages {
-  std::optional<Preset> of_fine_pen;  // what the picture of a fine pen looks like before it is enlarged
+  Look look;
   Fills fills;
   Ink ink;
   Bundles bundles;

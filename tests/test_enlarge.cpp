@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "chain_checks.h"
 #include "drawings.h"
 #include "ink/enlarge.h"
 
@@ -12,6 +13,7 @@ namespace inkgrid {
 namespace {
 
 using testing::blank;
+using testing::ink_of;
 using testing::paint;
 
 std::uint8_t grey_at(const Image& image, int x, int y) {
@@ -82,13 +84,27 @@ TEST(Enlarge, AMaskSaysTheSameOfEveryPlace) {
       EXPECT_EQ(large.factor[static_cast<std::size_t>(6 * y + x)], mask.factor[static_cast<std::size_t>(3 * (y / 2) + x / 2)]);
 }
 
+// Two strokes of 6 px with `paper` px between them.
+Ink two_strokes(double paper) {
+  Image image = blank(100, 60);
+  for (const double y : {27 - paper / 2, 33 + paper / 2}) paint(image, {{10, y}, {90, y}}, 6);
+  return ink_of(image);
+}
+
 TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
-  const Image small = blank(100, 100);
+  const Ink small = two_strokes(20);
   EXPECT_TRUE(is_fine(1, small));
   EXPECT_TRUE(is_fine(2.5, small));
   EXPECT_FALSE(is_fine(4, small));
   EXPECT_FALSE(is_fine(0, small)) << "there is no stroke";
-  EXPECT_FALSE(is_fine(2, Image{20000, 20000, {}, 0}));
+  Ink huge;
+  huge.mask = Raster<std::uint8_t>(20000, 1000);
+  EXPECT_FALSE(is_fine(2, huge));
+}
+
+TEST(Enlarge, PicturesOfFineSlits) {
+  for (const double paper : {1.0, 2.0, 3.0}) EXPECT_TRUE(is_fine(6, two_strokes(paper))) << paper;
+  for (const double paper : {5.0, 6.0, 12.0}) EXPECT_FALSE(is_fine(6, two_strokes(paper))) << paper;
 }
 
 }  // namespace

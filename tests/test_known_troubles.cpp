@@ -277,6 +277,36 @@ TEST(Hatching, OfAFinePenIsAsManyStrokes) {
   EXPECT_LT(distance_between(lines_of(drawing), truth), 0.8);
 }
 
+// Of such slits pixels show two or four in places of three.
+TEST(Hatching, WithSlitsHalfAsWideAsThePenIsAsManyStrokes) {
+  for (const double pen : {3.0, 4.0})
+    for (const double angle : {0.0, 20.0, 45.0}) {
+      SCOPED_TRACE(::testing::Message() << pen << " px, " << angle << " degrees");
+      const Vec2 along = polar(1, angle * kDegree), across = quarter_turn(along);
+      std::vector<Line> truth;
+      for (int k = -5; k <= 5; ++k)
+        truth.push_back(
+            {Vec2{70, 70} + 1.5 * pen * k * across - 40.0 * along, Vec2{70, 70} + 1.5 * pen * k * across + 40.0 * along});
+      const Drawing drawing = traced(painted(truth, pen, 140, 140));
+      EXPECT_EQ(drawing.curves.size(), truth.size());
+      EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+    }
+}
+
+// Half of the ink is blots.
+TEST(Hatching, CrossedWithLittleMorePaperThanInkIsNoSketch) {
+  std::vector<Line> truth;
+  for (int k = 0; k < 7; ++k) {
+    truth.push_back({{20, 30.0 + 10 * k}, {112, 30.0 + 10 * k}});
+    truth.push_back({{30.0 + 10 * k, 20}, {30.0 + 10 * k, 112}});
+  }
+  const Drawing drawing = traced(painted(truth, 4, 132, 132));
+  EXPECT_TRUE(drawing.fills.empty());
+  EXPECT_EQ(drawing.junctions.size(), 49u);
+  EXPECT_EQ(drawing.curves.size(), 112u);
+  EXPECT_LT(distance_between(lines_of(drawing), truth), 1);
+}
+
 TEST(Hatching, CrossedHasItsCrossingsOnly) {
   const double pen = 3;
   std::vector<Line> truth;

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "drawn_bands.h"
+#include "ink/pen_strokes.h"
 #include "ink/preset.h"
+#include "settings.h"
 
 namespace inkgrid {
 namespace {
@@ -19,22 +21,39 @@ std::vector<Vec2> wave(double y, double phase) {
   return line;
 }
 
-Ink ink_of(const Image& image) {
-  return measure_ink(binarise(image, std::nullopt));
+struct Strokes {
+  Ink ink;
+  double pen_width;
+};
+
+Strokes strokes_of(const Image& image) {
+  Strokes strokes{measure_ink(binarise(image, std::nullopt)), 0};
+  strokes.pen_width = find_pen_strokes(strokes.ink.mask, strokes.ink.darkness).width;
+  return strokes;
+}
+
+Sketchiness sketchiness_of(const Image& image) {
+  const Strokes strokes = strokes_of(image);
+  return measure_sketchiness(strokes.ink, strokes.pen_width);
+}
+
+Preset chosen_for(const Image& image) {
+  const Strokes strokes = strokes_of(image);
+  return choose_preset(strokes.ink, strokes.pen_width);
 }
 
 TEST(Preset, EvenInkIsClean) {
   Image image = blank(200, 200);
   for (const double y : {40.0, 90.0, 150.0}) paint(image, wave(y, 0), 6);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
 TEST(Preset, StrokesOfDifferentGreyAreRough) {
   Image image = blank(200, 200);
   for (const double y : {40.0, 90.0, 150.0})
     for (int k = 0; k < 4; ++k) paint(image, wave(y + 1.5 * k, 0.8 * k), 5, 20 + 30 * k);
-  EXPECT_GT(measure_sketchiness(ink_of(image)).opacity_spread, 0.05);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+  EXPECT_GT(sketchiness_of(image).opacity_spread, 0.05);
+  EXPECT_EQ(chosen_for(image), Preset::rough);
 }
 
 // As in a sketch of firm strokes, a few of which were tried lightly before.
@@ -44,8 +63,8 @@ TEST(Preset, AFewPaleStrokesUnderBlackOnesAreRough) {
     paint(image, {{20, y}, {90, y}}, 6, 90);
     paint(image, {{60, y}, {380, y}}, 6);
   }
-  EXPECT_LT(measure_sketchiness(ink_of(image)).pale, 0.2) << "what the test is about";
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+  EXPECT_LT(sketchiness_of(image).pale, 0.2) << "what the test is about";
+  EXPECT_EQ(chosen_for(image), Preset::rough);
 }
 
 // What is dark there and not black is rim: the tips of corners, and where strokes meet.
@@ -60,7 +79,7 @@ TEST(Preset, FineStrokesWithCornersAreClean) {
       paint(image, {Vec2{210, 150} + polar(40, 0), tip}, pen);
       for (const double turn : {2.6, -2.6}) paint(image, {tip, tip + polar(6 * pen, turn)}, pen);
     }
-    EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean) << pen;
+    EXPECT_EQ(chosen_for(image), Preset::clean) << pen;
   }
 }
 
@@ -78,15 +97,15 @@ TEST(Preset, AnEnlargedPictureOfFineStrokesIsClean) {
   for (int y = 0; y < 400; ++y)
     for (int x = 0; x < 400; ++x)
       image.grey[static_cast<std::size_t>(y * 400 + x)] = static_cast<std::uint8_t>(of_small(0.5 * x - 0.25, 0.5 * y - 0.25));
-  EXPECT_GT(measure_sketchiness(ink_of(image)).opacity_spread, 0.05) << "what the test is about";
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+  EXPECT_GT(sketchiness_of(image).opacity_spread, 0.05) << "what the test is about";
+  EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
 TEST(Preset, BlackStrokesWithSlitsAreRough) {
   Image image = blank(200, 200);
   for (const double y : {40.0, 90.0, 150.0})
     for (int k = 0; k < 5; ++k) paint(image, wave(y + 3 * k, 0.9 * k), 2.5 + 0.8 * (k % 3));
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::rough);
+  EXPECT_EQ(chosen_for(image), Preset::rough);
 }
 
 // Most of the paper between them is closed, but for grey seams.
@@ -98,9 +117,8 @@ TEST(Preset, ACircleDrawnOverSeveralTimesIsRough) {
       round.push_back(Vec2{150, 150} + (100 + 3.8 * std::sin(2 * t + 3.3 * k)) * Vec2{std::cos(t + k), std::sin(t + k)});
     paint(image, round, 3);
   }
-  const Ink ink = ink_of(image);
-  EXPECT_LT(measure_sketchiness(ink).slits, 0.03);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink), Preset::rough);
+  EXPECT_LT(sketchiness_of(image).slits, 0.03);
+  EXPECT_EQ(chosen_for(image), Preset::rough);
 }
 
 // Acute corners of thick outlines and thin details leave slits as well.
@@ -112,10 +130,10 @@ TEST(Preset, AnOutlineAndItsDetailsAreClean) {
     for (const double half : {-0.12, 0.12})
       paint(image, {tip, tip - 90 * Vec2{std::cos(turn + half), std::sin(turn + half)}}, k % 2 ? 6 : 4);
   }
-  const Sketchiness s = measure_sketchiness(ink_of(image));
+  const Sketchiness s = sketchiness_of(image);
   EXPECT_GT(s.slits, 0.009);
   EXPECT_GT(s.uneven_width, 0.48);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
 // Whole pixels measure strokes of 2.5 px here as 2 wide, there as 4.
@@ -126,9 +144,8 @@ TEST(Preset, FineStrokesCloseBesideEachOtherAreClean) {
     for (double t = 0; t <= 1; t += 0.005) line.push_back({20 + 260 * t, 40 + 20 * std::sin(6 * t) + 4 * k});
     paint(image, line, 2.5);
   }
-  const Ink ink = ink_of(image);
-  EXPECT_GT(measure_sketchiness(ink).slits, 0.03);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink), Preset::clean);
+  EXPECT_GT(sketchiness_of(image).slits, 0.03);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
 TEST(Preset, PensOfDifferentWidthAreClean) {
@@ -137,15 +154,39 @@ TEST(Preset, PensOfDifferentWidthAreClean) {
   paint(image, {{20, 110}, {380, 115}}, 20);
   for (const double y : {150.0, 170.0, 190.0, 210.0}) paint(image, {{20, y}, {380, y + 4}}, 2);
   paint(image, {{60, 30}, {70, 260}}, 6);
-  const Sketchiness s = measure_sketchiness(ink_of(image));
+  const Sketchiness s = sketchiness_of(image);
   EXPECT_GT(s.uneven_width, 1.8);
-  EXPECT_EQ(choose_preset(Preset::automatic, ink_of(image)), Preset::clean);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
+}
+
+// Its crossings are half of what is drawn, and wider than the pen; corners of its cells are no slits.
+TEST(Preset, CloseCrossHatchingIsClean) {
+  for (const double pen : {4.0, 5.0, 6.0})
+    for (const double paper : {pen, pen + 1, 1.5 * pen}) {
+      const double apart = pen + paper, size = 40 + 7 * apart;
+      Image image = blank(static_cast<int>(size) + 20, static_cast<int>(size) + 20);
+      for (int k = 0; k < 7; ++k) {
+        paint(image, {{20, 30 + apart * k}, {size, 30 + apart * k}}, pen);
+        paint(image, {{30 + apart * k, 20}, {30 + apart * k, size}}, pen);
+      }
+      EXPECT_EQ(chosen_for(image), Preset::clean) << pen << " px, " << paper << " px apart";
+    }
 }
 
 TEST(Preset, AGivenOneIsKept) {
-  Image image = blank(200, 200);
-  paint(image, wave(90, 0), 6);
-  EXPECT_EQ(choose_preset(Preset::rough, ink_of(image)), Preset::rough);
+  Stages measured;
+  measured.ink.stroke_width = 6;
+  for (const Preset looks : {Preset::clean, Preset::rough})
+    for (const Preset given : {Preset::clean, Preset::rough, Preset::automatic}) {
+      measured.look.preset = looks;
+      Inputs inputs;
+      inputs.options.preset = given;
+      settle(inputs, measured);
+      EXPECT_EQ(inputs.settled.preset, given == Preset::automatic ? looks : given);
+    }
+}
+
+TEST(Preset, SketchesHaveACoarserGridThatReachesFurther) {
   EXPECT_GT(preset_values(Preset::rough, 6).reach, preset_values(Preset::clean, 6).reach);
   EXPECT_GT(preset_values(Preset::rough, 6).spacing, preset_values(Preset::clean, 6).spacing);
 }

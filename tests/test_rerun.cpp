@@ -26,7 +26,7 @@ Image drawing() {
   paint(image, circle({97, 42}, 22), 3.4);
   paint(image, {{97, 42}, {97, 42}}, 18);
   paint(image, {{66, 4}, {108, 4}}, 4);
-  paint(image, {{84, 11}, {126, 11}}, 4);
+  paint(image, {{100, 11}, {126, 11}}, 4);
   paint(image, {{66, 74}, {90, 74}}, 4);
   paint(image, {{97, 74}, {124, 74}}, 4);
   return image;

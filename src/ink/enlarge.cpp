@@ -13,8 +13,10 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kFinestPen = 2.8;    // px
-constexpr double kMostPixels = 16e6;  // of a picture that is enlarged
+constexpr double kFinestPen = 2.8;       // px
+constexpr double kFinePaper = 4;         // px: as many pixels of paper may be two or four
+constexpr double kMuchFinePaper = 0.05;  // px, a pixel of ink
+constexpr double kMostPixels = 16e6;     // of a picture that is enlarged
 constexpr int kLobes = 3;
 constexpr int kTaps = 2 * kLobes;
 
@@ -61,10 +63,18 @@ float interpolated(const Place& place, const Value& value) {
   return sum;
 }
 
+// In slits, corners and specks, over the ink.
+double fine_paper(const Ink& ink) {
+  const auto closed = closed_ink(ink, kFinePaper / 2);
+  const long all = std::count(closed.data.begin(), closed.data.end(), std::uint8_t{1});
+  return static_cast<double>(all - ink.pixels) / static_cast<double>(ink.pixels);
+}
+
 }  // namespace
 
-bool is_fine(double pen_width, const Image& image) {
-  return pen_width > 0 && pen_width < kFinestPen && static_cast<double>(image.width) * image.height <= kMostPixels;
+bool is_fine(double pen_width, const Ink& ink) {
+  if (pen_width <= 0 || static_cast<double>(ink.width()) * ink.height() > kMostPixels) return false;
+  return pen_width < kFinestPen || fine_paper(ink) > kMuchFinePaper;
 }
 
 Image enlarged(const Image& image) {

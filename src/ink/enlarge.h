@@ -1,16 +1,18 @@
-// What:   pictures of a fine pen, enlarged before anything is made of them.
+// What:   pictures of a fine pen, or of fine slits between strokes, enlarged before anything is made of them.
 // Source: ours (docs/METHOD.md, "Fine pens").
 // Differs: nothing.
 // Cost:   twelve products a pixel of the enlarged picture.
 #pragma once
 
+#include "ink/ink.h"
 #include "inkgrid/image.h"
 #include "inkgrid/options.h"
 
 namespace inkgrid {
 
-// Whether strokes of this width (px) are too slim for what is measured in whole pixels, in a picture that may be enlarged.
-bool is_fine(double pen_width, const Image& image);
+// Whether strokes of this width (px), or the paper between them, are too slim for what is measured in whole pixels, in a picture
+// that may be enlarged.
+bool is_fine(double pen_width, const Ink& ink);
 
 // How many times a picture of a fine pen is enlarged each way.
 constexpr int kEnlargement = 2;

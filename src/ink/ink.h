@@ -38,6 +38,9 @@ Raster<float> distance_to(const Raster<std::uint8_t>& mask);
 // The ink with paper narrower than 2 radius (px) closed, as between the strokes of one over-sketched line.
 Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads = 1);
 
+// Paper between strokes closer than `width` px, over the ink; corners of wider paper are none.
+double slit_share(const Ink& ink, double width);
+
 // The image's border counts as a continuation of what lies on it, not as background.
 Ink measure_ink(Binarisation binarisation, int enlargement = 1);
 

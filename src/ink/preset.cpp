@@ -15,11 +15,11 @@ constexpr double kSomeInside = 0.15;
 constexpr double kEnoughInside = 0.3;
 constexpr double kManySlits = 0.03;
 constexpr double kSpreadSeams = 0.038;  // where black strokes over each other leave grey seams; of pens of two widths it is less
-constexpr double kSlitsWithSeams = 0.009;
+constexpr double kSlitsWithSeams = 0.005;
 constexpr double kUnevenWidth = 0.48;
 constexpr int kStepsOfPixels = 1;     // of the depth, between one and the next place of a stroke on the pixels
 constexpr double kSeveralPens = 1.8;  // uneven widths beyond this are pens, not strokes over strokes
-constexpr double kSlitRadius = 0.3;   // strokes
+constexpr double kSlit = 0.75;        // pens
 constexpr double kFinePen = 4;        // px: a slimmer pen has no details below its width that pixels show
 constexpr double kFinest = 0.5;
 constexpr double kWidestGap = 6;  // px: pictures break strokes by so much
@@ -62,13 +62,6 @@ void measure_opacity(const Ink& ink, Sketchiness& sketchiness) {
   sketchiness.pale = static_cast<double>(pale) / std::max(1.0, centres.count());
 }
 
-double slit_share(const Ink& ink) {
-  const auto closed = closed_ink(ink, kSlitRadius * ink.stroke_width);
-  long slits = 0;
-  for (std::size_t i = 0; i < closed.data.size(); ++i) slits += closed.data[i] && !ink.mask.data[i];
-  return static_cast<double>(slits) / static_cast<double>(ink.pixels);
-}
-
 double width_spread(const Ink& ink) {
   std::vector<int> depths;
   for (int y = 0; y < ink.height(); ++y)
@@ -82,18 +75,17 @@ double width_spread(const Ink& ink) {
 
 }  // namespace
 
-Sketchiness measure_sketchiness(const Ink& ink) {
+Sketchiness measure_sketchiness(const Ink& ink, double pen_width) {
   Sketchiness sketchiness;
   if (ink.pixels == 0) return sketchiness;
   measure_opacity(ink, sketchiness);
-  sketchiness.slits = slit_share(ink);
+  sketchiness.slits = slit_share(ink, kSlit * pen_width);
   sketchiness.uneven_width = width_spread(ink);
   return sketchiness;
 }
 
-Preset choose_preset(Preset given, const Ink& ink) {
-  if (given != Preset::automatic) return given;
-  const Sketchiness s = measure_sketchiness(ink);
+Preset choose_preset(const Ink& ink, double pen_width) {
+  const Sketchiness s = measure_sketchiness(ink, pen_width);
   const bool pale = s.inside > kSomeInside && s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale;
   const bool unequal = s.inside > kEnoughInside && s.centre_spread > kSpreadCentres;
   const bool seams = s.pale < kMuchPale && s.centre_spread > kSpreadSeams;

@@ -15,14 +15,15 @@ struct Sketchiness {
   double opacity_spread = 0;  // standard deviation of the darkness there: overdrawn strokes differ
   double centre_spread = 0;   // the same on the centre lines there, where no blurred rim reaches
   double pale = 0;            // share of those that is less than fully dark
-  double slits = 0;           // paper between strokes closer than 0.6 stroke widths, over the ink
+  double slits = 0;           // paper between strokes closer than 0.75 pens, over the ink
   double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes; 0 for a step of pixels
 };
 
-Sketchiness measure_sketchiness(const Ink& ink);
+// `pen_width`: of most of the strokes, px; the average one is that of blots, too.
+Sketchiness measure_sketchiness(const Ink& ink, double pen_width);
 
-// Preset::clean or Preset::rough; a given one is kept.
-Preset choose_preset(Preset given, const Ink& ink);
+// Preset::clean or Preset::rough.
+Preset choose_preset(const Ink& ink, double pen_width);
 
 struct PresetValues {
   double reach;    // beta, strokes

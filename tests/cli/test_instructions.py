@@ -44,7 +44,7 @@ ROUGH = {
     'drop_zigzags': 5.7,
     'find_bundles': 15.8,
     'join_bundles': 18,
-    'closed_ink': 30,
+    'closed_ink': 35,
     'PROGRAM TOTALS': 1050,
 }
 MOST = 1.3   # times that
