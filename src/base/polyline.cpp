@@ -49,9 +49,9 @@ Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed) {
 
 std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double denominator = cross(b - a, d - c);
-  if (std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c)) return std::nullopt;
+  const auto parallel = [&] { return std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c); };
   const double s = cross(c - a, d - c) / denominator, t = cross(c - a, b - a) / denominator;
-  if (s < 0 || s >= 1 || t < 0 || t >= 1) return std::nullopt;
+  if (!(s >= 0 && s < 1 && t >= 0 && t < 1) || parallel()) return std::nullopt;
   return std::pair{s, t};
 }
 
