@@ -146,8 +146,8 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   }
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
-  return refine_bundles(std::move(chains),
-                        {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width, stages.bundles.sketchiness});
+  return refine_bundles(std::move(chains), {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width,
+                                            stages.bundles.sketchiness, options.threads});
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
@@ -204,7 +204,7 @@ Bundles scout_bundles(Stages& stages, const Control& control) {
   Stopwatch run(within, scout.report);
   run_to_map(Stage::field, scout, run, within, nullptr, Keep::result);
   run_to_chains(Stage::isolines, scout, run, Keep::result);
-  return find_bundles(scout.plain.chains, scout.ink);
+  return find_bundles(scout.plain.chains, scout.ink, options.threads);
 }
 
 void move_by(Vec2 shift, Stages& stages) {
