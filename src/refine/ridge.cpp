@@ -346,14 +346,15 @@ void measure(RidgeChain& ridge, double stroke_width, double step) {
 
 }  // namespace
 
-std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const Ink& ink, const RidgeOptions& options) {
+std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const InkBands& bands, const RidgeOptions& options) {
   std::vector<RidgeChain> ridges, wholes;
   for (const auto& chain : chains) ridges.push_back({chain, {}, options.taken});
   for_each_chain(ridges, options.threads,
                  [&](RidgeChain& ridge) { ridge.chain.points = spaced_points(ridge.chain, options.step); });
   const auto strokes = strokes_of(chains, options.stroke_span);
   for (const auto& stroke : strokes) wholes.push_back({joined(stroke, ridges), {}});
-  const InkBand band(ink, options.bridge);
+  const Ink& ink = bands.ink();
+  const InkBand& band = bands.of(options.bridge);
   for (int round = 0; round < 2; ++round) follow_once(wholes, ink, band, options);
   for (std::size_t s = 0; s < strokes.size(); ++s) split(wholes[s], strokes[s], ridges);
   for_each_chain(ridges, options.threads, [&](RidgeChain& ridge) { measure(ridge, ink.stroke_width, options.step); });

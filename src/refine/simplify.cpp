@@ -9,7 +9,6 @@
 #include "base/sample.h"
 #include "base/union_find.h"
 #include "graph/dissolve.h"
-#include "refine/ownership.h"
 
 namespace inkgrid {
 namespace {
@@ -107,15 +106,15 @@ int bins_of(double length, int most) {
 
 }  // namespace
 
-Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
-  const InkBand band(ink, reach);
+Chains drop_uncovered(Chains chains, const InkBands& bands, int bins, double reach) {
+  const InkBand& band = bands.of(reach);
   const Ownership ownership = assign_ink(chains.chains, band);
   std::vector<int> histogram(chains.chains.size() * static_cast<std::size_t>(bins), 0);
   std::vector<std::vector<double>> lengths;
   for (const auto& c : chains.chains) lengths.push_back(lengths_along(c.points));
   for (std::size_t i = 0; i < ownership.owners.size(); ++i) {
     const int owner = ownership.owners[i];
-    if (owner < 0 || !ink.mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
+    if (owner < 0 || !bands.ink().mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
     const auto s = ownership.samples[at(owner)];
     const auto& l = lengths[at(s.chain)];
     const double parameter = l.back() > 0 ? l[at(s.point)] / l.back() : 0;
@@ -172,10 +171,10 @@ class PointBins {
     if (a.y != b.y) return a.y < b.y;
     return a.x != b.x ? a.x < b.x : a.chain < b.chain;
   }
-  Vec2 direction(int chain, int k) const { return tangent_at(chains_[at(chain)].points, k, 2, false); }
   int column(double v) const { return static_cast<int>(std::floor(v / cell_)); }
-  const std::vector<Chain>& chains_;
+  Vec2 direction(int chain, int k) const { return tangent_at(chains_[at(chain)].points, k, 2, false); }
 
+  const std::vector<Chain>& chains_;
   double cell_;
   std::vector<Entry> entries_;
 };
