@@ -149,15 +149,16 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
   }
   chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
-  return refine_bundles(std::move(chains),
-                        {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width, stages.bundles.sketchiness});
+  return refine_bundles(std::move(chains), {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width,
+                                            stages.bundles.sketchiness, options.threads});
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
   report_map(stages.map, stages.report);
   if (first <= Stage::isolines) {
     const std::vector<int> failed = stages.map.failed_components;
-    stages.exact = run("exact map", 0.9, [&] { return round_map(keep == Keep::result ? std::move(stages.map) : stages.map); });
+    stages.exact =
+        run("exact map", 0.9, [&] { return keep == Keep::result ? round_map(std::move(stages.map)) : round_map(stages.map); });
     stages.graph = run("isolines", 0.92, [&] {
       return remove_folds(trace_isolines(stages.mesh, stages.exact, failed), stages.mesh, stages.exact);
     });
@@ -207,7 +208,7 @@ Bundles scout_bundles(Stages& stages, const Control& control) {
   Stopwatch run(within, scout.report);
   run_to_map(Stage::field, scout, run, within, nullptr, Keep::result);
   run_to_chains(Stage::isolines, scout, run, Keep::result);
-  return find_bundles(scout.plain.chains, scout.ink);
+  return find_bundles(scout.plain.chains, scout.ink, options.threads);
 }
 
 void move_by(Vec2 shift, Stages& stages) {

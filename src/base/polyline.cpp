@@ -16,19 +16,35 @@ std::vector<double> lengths_along(const std::vector<Vec2>& path) {
   return lengths;
 }
 
+namespace {
+
+// Of a place on segment i, which lies between its ends.
+Vec2 point_between(const std::vector<Vec2>& path, const std::vector<double>& lengths, std::size_t i, double s) {
+  const double step = lengths[i] - lengths[i - 1];
+  return step > 0 ? lerp(path[i - 1], path[i], (s - lengths[i - 1]) / step) : path[i];
+}
+
+}  // namespace
+
 Vec2 point_at(const std::vector<Vec2>& path, const std::vector<double>& lengths, double s) {
   if (s <= 0) return path.front();
   if (s >= lengths.back()) return path.back();
   const auto i = static_cast<std::size_t>(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin());
-  const double step = lengths[i] - lengths[i - 1];
-  return step > 0 ? lerp(path[i - 1], path[i], (s - lengths[i - 1]) / step) : path[i];
+  return point_between(path, lengths, i, s);
 }
 
 std::vector<Vec2> resampled(const std::vector<Vec2>& path, double step) {
   const auto lengths = lengths_along(path);
   const int n = std::max(1, static_cast<int>(std::lround(lengths.back() / step)));
-  std::vector<Vec2> points{path.front()};
-  for (int k = 1; k < n; ++k) points.push_back(point_at(path, lengths, lengths.back() * k / n));
+  std::vector<Vec2> points;
+  points.reserve(static_cast<std::size_t>(n) + 1);
+  points.push_back(path.front());
+  std::size_t i = 1;
+  for (int k = 1; k < n; ++k) {
+    const double s = lengths.back() * k / n;
+    while (i + 1 < path.size() && lengths[i] <= s) ++i;
+    points.push_back(point_between(path, lengths, i, s));
+  }
   points.push_back(path.back());
   return points;
 }
@@ -49,9 +65,9 @@ Vec2 tangent_at(const std::vector<Vec2>& path, int k, int span, bool closed) {
 
 std::optional<std::pair<double, double>> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double denominator = cross(b - a, d - c);
-  if (std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c)) return std::nullopt;
+  const auto parallel = [&] { return std::abs(denominator) <= kParallel * norm(b - a) * norm(d - c); };
   const double s = cross(c - a, d - c) / denominator, t = cross(c - a, b - a) / denominator;
-  if (s < 0 || s >= 1 || t < 0 || t >= 1) return std::nullopt;
+  if (!(s >= 0 && s < 1 && t >= 0 && t < 1) || parallel()) return std::nullopt;
   return std::pair{s, t};
 }
 

@@ -24,18 +24,30 @@ std::int64_t half_integer_coordinate(double value) {
   return rounded(value, 2) * (kFixedOne / 2);
 }
 
-}  // namespace
-
-ExactMap round_map(GridMap map) {
+// `exact` has the shifts of the corners.
+void place_corners(const GridMap& map, ExactMap& exact) {
   std::vector<IVec2> base(map.base.size());
   for (std::size_t v = 0; v < base.size(); ++v) {
     const Vec2 b = map.base[v];
     base[v] = map.half_integer[v] ? IVec2{half_integer_coordinate(b.x), half_integer_coordinate(b.y)}
                                   : IVec2{regular_coordinate(b.x), regular_coordinate(b.y)};
   }
-  ExactMap exact{std::move(map.corner_shift), std::move(map.transitions)};
   for (std::size_t c = 0; c < exact.uv.size(); ++c)
     exact.uv[c] = turned(base[at(map.corner_base[c])], map.corner_turn[c]) + kFixedOne * exact.uv[c];
+}
+
+}  // namespace
+
+ExactMap round_map(const GridMap& map) {
+  ExactMap exact{map.corner_shift, map.transitions};
+  place_corners(map, exact);
+  return exact;
+}
+
+ExactMap round_map(GridMap&& map) {
+  GridMap taken = std::move(map);
+  ExactMap exact{std::move(taken.corner_shift), std::move(taken.transitions)};
+  place_corners(taken, exact);
   return exact;
 }
 

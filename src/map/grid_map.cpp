@@ -162,13 +162,23 @@ double snapping_energy(const MapSetup& setup, const GridMap& map, const Unknowns
   return setup.snap.weight[at(corner)] * difference * difference;
 }
 
+// Each in the order of the faces.
 void measure_energies(const MapSetup& setup, const Unknowns& unknowns, GridMap& map) {
-  const auto& failed = map.failed_components;
-  for (int f = 0; f < setup.mesh.face_count(); ++f) {
-    if (std::binary_search(failed.begin(), failed.end(), setup.mesh.component[at(f)])) continue;
-    map.alignment_energy += alignment_energy(setup, map, f);
-    for (int k = 0; k < 3; ++k) map.snapping_energy += snapping_energy(setup, map, unknowns, 3 * f + k);
-  }
+  const auto sum = [&](const auto& energy) {
+    const auto& failed = map.failed_components;
+    double total = 0;
+    for (int f = 0; f < setup.mesh.face_count(); ++f)
+      if (!std::binary_search(failed.begin(), failed.end(), setup.mesh.component[at(f)])) energy(f, total);
+    return total;
+  };
+  at_once(
+      setup.options.threads,
+      [&] { map.alignment_energy = sum([&](int f, double& total) { total += alignment_energy(setup, map, f); }); },
+      [&] {
+        map.snapping_energy = sum([&](int f, double& total) {
+          for (int k = 0; k < 3; ++k) total += snapping_energy(setup, map, unknowns, 3 * f + k);
+        });
+      });
 }
 
 }  // namespace
@@ -176,8 +186,11 @@ void measure_energies(const MapSetup& setup, const Unknowns& unknowns, GridMap& 
 GridMap solve_grid_map(const BandMesh& mesh, const Charts& charts, const std::vector<Label>& labels, const Ink& ink,
                        const GridMapOptions& options, const Control& control, const Known* known,
                        std::vector<EliminationPlan> plans) {
-  const CutShifts cuts = trace_cuts(mesh, charts);
-  const SnapRegions snap = merge_snapping(mesh, charts, labels, ink, options);
+  CutShifts cuts;
+  SnapRegions snap;
+  at_once(
+      options.threads, [&] { cuts = trace_cuts(mesh, charts); },
+      [&] { snap = merge_snapping(mesh, charts, labels, ink, options); });
   const HeldVertices held = held_vertices(mesh, cuts, known);
   const MapSetup setup{mesh, charts, labels, ink, options, cuts, snap, held};
   const MapLayout layout = lay_out(setup);

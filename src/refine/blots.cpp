@@ -392,14 +392,14 @@ class Blotter {
 
 }  // namespace
 
-Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Ink& ink,
+Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
                     const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
   const std::size_t old = junctions.size();
   Blots blots{std::move(ridges), std::move(junctions)};
-  const double rim = std::max(0.0, 0.5 * (options.pen - ink.stroke_width));
-  const InkBand band(ink, options.bridge + rim);
+  const double width = bands.ink().stroke_width, rim = std::max(0.0, 0.5 * (options.pen - width));
+  const InkBand& band = bands.of(options.bridge + rim);
   // Short parts that seem confirmed may be strokes, or lie inside a blot: the first is tried first.
-  for (const double isolated : {kIsolated * ink.stroke_width, std::max(kIsolated * ink.stroke_width, options.pen)})
+  for (const double isolated : {kIsolated * width, std::max(kIsolated * width, options.pen)})
     blots = Blotter(std::move(blots), old, isolated, band, drawn, options).meet();
   return blots;
 }

@@ -23,7 +23,7 @@ struct Blots {
 // Where three or more strokes run into one blot (ink that confirms no chain, connected) along lines that meet in one point of it,
 // they end there, in a new junction, whatever chains there are inside.  `drawn` is the ink before it was slimmed, which hollows
 // blots out.
-Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Ink& ink,
+Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
                     const Raster<std::uint8_t>& drawn, const BlotOptions& options);
 
 }  // namespace inkgrid

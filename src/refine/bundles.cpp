@@ -97,13 +97,13 @@ bool are_one_line(const Flank& flank, double sketchiness, double stroke_width) {
   return one_line(flank, sketchiness, stroke_width) >= kLikely;
 }
 
-FlankOptions flank_options(double stroke_width) {
-  return {kFarthest * stroke_width, stroke_width};
+FlankOptions flank_options(double stroke_width, int threads) {
+  return {kFarthest * stroke_width, stroke_width, threads};
 }
 
-Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink) {
+Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink, int threads) {
   const double width = ink.stroke_width;
-  const auto flanks = find_flanks(chains, ink.width(), ink.height(), flank_options(width));
+  const auto flanks = find_flanks(chains, ink.width(), ink.height(), flank_options(width, threads));
   Bundles bundles;
   bundles.sketchiness = sketchiness(flanks, chains, width);
   for (const Flank& flank : flanks) {

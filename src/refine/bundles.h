@@ -20,7 +20,7 @@ bool are_one_line(const Flank& flank, double sketchiness, double stroke_width);
 double sketchiness(const std::vector<Flank>& flanks, const std::vector<Chain>& chains, double stroke_width);
 
 // Where chains can be those of one line.
-FlankOptions flank_options(double stroke_width);
+FlankOptions flank_options(double stroke_width, int threads);
 
 struct Bundles {
   Raster<std::uint8_t> slits;  // 1: between two strokes of one line; empty where there is none
@@ -28,7 +28,7 @@ struct Bundles {
   double sketchiness = 0;      // of the drawing
 };
 
-Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink);
+Bundles find_bundles(const std::vector<Chain>& chains, const Ink& ink, int threads = 0);
 
 // What the grid works on.
 struct JoinedInk {

@@ -296,15 +296,15 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
   return dissolve_junctions(std::move(chains));
 }
 
-Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options) {
+Chains attach_ends(Chains chains, const InkBands& bands, const EndOptions& options) {
+  const Ink& ink = bands.ink();
   chains = join_facing_ends(std::move(chains), ink, options);
   std::vector<End> ends;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false})
       if (may_attach(chains.chains[at(c)], at_start, ink, options)) ends.push_back({c, at_start});
   if (ends.empty()) return chains;
-  const InkBand band(ink, options.bridge);
-  const Ownership ownership = assign_ink(chains.chains, band);
+  const Ownership ownership = assign_ink(chains.chains, bands.of(options.bridge));
   std::vector<Meeting> meetings;
   for (const End end : ends)
     if (const auto meeting = meeting_of(chains, ownership, ink, end, options)) meetings.push_back(*meeting);

@@ -32,7 +32,7 @@ Chains join_facing_ends(Chains chains, const Ink& ink, const EndOptions& options
 // join_facing_ends, and then: an end from which ink leads straight on into
 // another chain, or into its other end, is joined to it: end to end where both are free ends, by a new junction otherwise.
 // Junctions left with two branches are dissolved.
-Chains attach_ends(Chains chains, const Ink& ink, const EndOptions& options);
+Chains attach_ends(Chains chains, const InkBands& bands, const EndOptions& options);
 
 // A free end that turns back within its own stroke, as where a u isoline goes on as a v isoline in its last cell, ends where it
 // turned.  Then every free end goes on straight, or is cut back, to half a stroke width inside the end of the ink.

@@ -42,7 +42,8 @@ bool lies_on(Vec2 p, const Chain& chain) {
 // Flanks with a free end, those that are most likely one line first.
 std::vector<Flank> flanks_of_one_line(const Chains& chains, const FlankingOptions& options) {
   std::vector<std::pair<double, Flank>> likely;
-  for (Flank& flank : find_flanks(chains.chains, options.width, options.height, flank_options(options.stroke_width)))
+  const FlankOptions wanted = flank_options(options.stroke_width, options.threads);
+  for (Flank& flank : find_flanks(chains.chains, options.width, options.height, wanted))
     if (flank.own_ends > 0 && flank.length >= kLeast * flank.gap &&
         are_one_line(flank, options.sketchiness, options.stroke_width))
       likely.emplace_back(one_line(flank, options.sketchiness, options.stroke_width), std::move(flank));

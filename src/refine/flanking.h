@@ -13,6 +13,7 @@ struct FlankingOptions {
   int height = 0;           // px
   double stroke_width = 0;  // px
   double sketchiness = 0;   // of the drawing, 0..1
+  int threads = 0;          // 0: as many as the machine has
 };
 
 // A chain with a free end that runs beside another and is likely to have been drawn for the same line (one_line) is dropped where

@@ -8,8 +8,10 @@
 
 #include "base/at.h"
 #include "base/index_raster.h"
+#include "base/parallel.h"
 #include "base/polyline.h"
 #include "base/raster.h"
+#include "base/sample.h"
 
 namespace inkgrid {
 namespace {
@@ -20,6 +22,7 @@ constexpr int kTangentReach = 3;                           // steps to both side
 constexpr double kParallel = 35 * std::numbers::pi / 180;  // and less
 constexpr double kOwnStretch = 2;                          // farthest gaps: as near along the chain it is no neighbour of itself
 constexpr double kJump = 0.4;                              // of the gap; and at least a stroke width
+constexpr int kTogether = 256;                             // samples that a thread takes at once
 constexpr double kNearEnd = 1.5;                           // strokes
 
 struct Sample {
@@ -83,7 +86,7 @@ Neighbour look(const Samples& samples, const IndexRaster& painted, int i, Vec2 n
   const Sample& s = samples[i];
   for (double t = kStep; t < farthest; t += kRayStep) {
     const Vec2 p = s.at + t * normal;
-    const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+    const int x = floor_of(p.x), y = floor_of(p.y);
     if (!painted.contains(x, y)) return {};
     const int found = painted(x, y);
     if (found < 0) continue;
@@ -100,11 +103,13 @@ class FlankFinder {
   FlankFinder(const std::vector<Chain>& chains, int width, int height, const FlankOptions& options)
       : chains_(chains), options_(options), samples_(sample(chains)), near_(samples_.all.size()) {
     const IndexRaster painted = paint(samples_, width, height);
-    for (int i = 0; i < static_cast<int>(samples_.all.size()); ++i) {
-      const Vec2 left{-samples_[i].tangent.y, samples_[i].tangent.x};
-      near_[at(i)] = {look(samples_, painted, i, left, options.farthest),
-                      look(samples_, painted, i, Vec2{} - left, options.farthest)};
-    }
+    for_ranges(options.threads, static_cast<int>(samples_.all.size()), kTogether, [&](int first, int end) {
+      for (int i = first; i < end; ++i) {
+        const Vec2 left{-samples_[i].tangent.y, samples_[i].tangent.x};
+        near_[at(i)] = {look(samples_, painted, i, left, options.farthest),
+                        look(samples_, painted, i, Vec2{} - left, options.farthest)};
+      }
+    });
   }
 
   void append(int chain, std::size_t side, std::vector<Flank>& flanks) const {

@@ -25,6 +25,7 @@ struct Flank {
 struct FlankOptions {
   double farthest = 0;      // px: what lies further off is no neighbour
   double stroke_width = 0;  // px
+  int threads = 0;          // 0: as many as the machine has
 };
 
 // Of both sides of every chain.  `chains` lie inside width x height px, parts outside have no neighbours.

@@ -16,6 +16,7 @@ constexpr double kBlot = 2.5;        // distances around a junction that its own
 constexpr double kLongestKnot = 3;   // pens: it takes pi of them to go around a hole
 constexpr double kNoHole = 0.78;     // squared pens: the area of a circle of one pen, which has no hole
 constexpr double kTip = -0.8;        // cosine between ways that cross: the sides of an acute corner cross before its tip
+constexpr double kTouch = 1e-3;      // px between segments that may cross by rounding
 constexpr double kBlend = 2;         // misses before the end, the path leaves for it
 
 // Of the turn at point k.
@@ -100,17 +101,29 @@ class Needles {
   std::vector<std::size_t> turns_;
 };
 
+std::vector<double> steps_of(const std::vector<Vec2>& points) {
+  std::vector<double> steps(points.size(), 0);
+  for (std::size_t k = 1; k < points.size(); ++k) steps[k] = norm(points[k] - points[k - 1]);
+  return steps;
+}
+
 void untie(std::vector<Vec2>& points, double longest) {
   std::vector<Vec2> kept;
+  const std::vector<double> steps = steps_of(points);  // to each point
+  const auto far_apart = [&](std::size_t k, std::size_t j) {
+    const double farthest = steps[k + 1] + steps[j + 1] + kTouch;
+    return norm2(points[j] - points[k]) > farthest * farthest;
+  };
   for (std::size_t k = 0; k < points.size(); ++k) {
     kept.push_back(points[k]);
     double length = 0;
     std::size_t last = k;
     Vec2 place;
-    for (std::size_t j = k + 1; j + 1 < points.size() && (length += norm(points[j] - points[j - 1])) <= longest; ++j) {
-      const Vec2 in = points[k + 1] - points[k], out = points[j + 1] - points[j];
+    for (std::size_t j = k + 1; j + 1 < points.size() && (length += steps[j]) <= longest; ++j) {
       const bool share_a_point = j == k + 1 || points[j + 1] == points[k];
-      if (share_a_point || dot(in, out) < kTip * norm(in) * norm(out)) continue;
+      if (share_a_point || far_apart(k, j)) continue;
+      const Vec2 in = points[k + 1] - points[k], out = points[j + 1] - points[j];
+      if (dot(in, out) < kTip * steps[k + 1] * steps[j + 1]) continue;
       if (const auto crossed = crossing(points[k], points[k + 1], points[j], points[j + 1]))
         last = j, place = lerp(points[k], points[k + 1], crossed->first);
     }

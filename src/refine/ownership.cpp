@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "base/at.h"
 #include "base/sample.h"
@@ -40,6 +42,24 @@ InkBand::InkBand(const Ink& ink, double reach) : numbers_(ink.width() + 2, ink.h
       pixels_.push_back({x, y});
     });
   }
+  around_.reserve(pixels_.size());
+  for (const Pixel pixel : pixels_) around_.push_back(around(numbers_.place(pixel.x, pixel.y)));
+}
+
+// `place` is that of the corner above on the left.
+InkBand::Around InkBand::around(std::size_t place) const {
+  Around result{-1, -1, 0};
+  const auto row_bits = [&](std::size_t from, int& first) {
+    unsigned bits = 0;
+    for (unsigned column = 3; column-- > 0;)
+      if (const int number = numbers_[from + column]; number >= 0) first = number, bits |= 1U << column;
+    return bits;
+  };
+  const auto width = static_cast<std::size_t>(numbers_.width());
+  result.places = row_bits(place, result.above) | row_bits(place + 2 * width, result.below) << kBelow;
+  if (numbers_[place + width] >= 0) result.places |= kLeft;
+  if (numbers_[place + width + 2] >= 0) result.places |= kRight;
+  return result;
 }
 
 namespace {
@@ -47,7 +67,12 @@ namespace {
 // Spreads the samples over the band, nearer ones driving out farther ones.
 class Spread {
  public:
-  Spread(const std::vector<Chain>& chains, const InkBand& band) : band_(band), claims_(band.pixels().size()) {
+  Spread(const std::vector<Chain>& chains, const InkBand& band)
+      : band_(band),
+        distances_(band.pixels().size(), std::numeric_limits<double>::infinity()),
+        owners_(band.pixels().size(), -1),
+        waiting_(band.pixels().size(), 0) {
+    queue_.reserve(2 * band.pixels().size());
     for (const Chain& chain : chains) positions_.insert(positions_.end(), chain.points.begin(), chain.points.end());
   }
 
@@ -59,26 +84,15 @@ class Spread {
       if (number >= 0) offer(number, square(from.x - (x + 0.5)) + square(from.y - (y + 0.5)), s);
     }
     for (std::size_t k = 0; k < queue_.size(); ++k) offer_around(queue_[k]);
-    std::vector<int> owners;
-    owners.reserve(claims_.size());
-    for (const Claim& claim : claims_) owners.push_back(claim.sample);
-    return owners;
+    return std::move(owners_);
   }
 
  private:
-  // The sample nearest to the centre of a pixel so far.
-  struct Claim {
-    double distance2 = std::numeric_limits<double>::infinity();  // px^2
-    int sample = -1;
-    bool waiting = false;  // in the queue, where the claim may become a better one
-  };
-
   static double square(double x) { return x * x; }
 
   void offer_around(int number) {
-    Claim& own = claims_[at(number)];
-    own.waiting = false;
-    const int s = own.sample;
+    waiting_[at(number)] = 0;
+    const int s = owners_[at(number)];
     const Vec2 from = positions_[at(s)];
     const InkBand::Pixel pixel = band_.pixels()[at(number)];
     std::array<double, 3> across, along;
@@ -92,18 +106,22 @@ class Spread {
 
   // The smaller number where two samples are as near.
   void offer(int number, double distance2, int s) {
-    Claim& claim = claims_[at(number)];
-    if (distance2 > claim.distance2 || (distance2 == claim.distance2 && s >= claim.sample)) return;
-    claim.distance2 = distance2;
-    claim.sample = s;
-    if (!claim.waiting) queue_.push_back(number);
-    claim.waiting = true;
+    double& nearest = distances_[at(number)];
+    int& owner = owners_[at(number)];
+    if (distance2 > nearest || (distance2 == nearest && s >= owner)) return;
+    nearest = distance2;
+    owner = s;
+    if (!waiting_[at(number)]) queue_.push_back(number);
+    waiting_[at(number)] = 1;
   }
 
   const InkBand& band_;
   std::vector<Vec2> positions_;  // of the samples
-  std::vector<Claim> claims_;    // per pixel of the band
-  std::vector<int> queue_;       // of pixels of the band
+  // Per pixel of the band; of the sample nearest to its centre so far:
+  std::vector<double> distances_;  // px^2
+  std::vector<int> owners_;
+  std::vector<std::uint8_t> waiting_;  // in the queue, where the claim may become a better one
+  std::vector<int> queue_;             // of pixels of the band
 };
 
 }  // namespace

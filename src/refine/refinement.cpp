@@ -88,6 +88,7 @@ class Refinement {
  public:
   Refinement(const Ink& ink, const Raster<std::uint8_t>& drawn, const RefinementOptions& options)
       : ink_(ink),
+        bands_(ink),
         drawn_(drawn),
         options_(options),
         width_(ink.stroke_width),
@@ -101,7 +102,8 @@ class Refinement {
 
   // Chains that stand for ink of their own.
   Chains supported(const Chains& chains) const {
-    Chains kept = drop_rungs(drop_uncovered(chains, ink_, options_.coverage_bins, bridge_), ink_, kLongestRung * width_, bridge_);
+    Chains kept =
+        drop_rungs(drop_uncovered(chains, bands_, options_.coverage_bins, bridge_), ink_, kLongestRung * width_, bridge_);
     kept = cut_on_paper(drop_blot_loops(std::move(kept), ink_), ink_, blot_.paper);
     kept = drop_spurs(std::move(kept), resolution_.raw_spur);
     return merge_junctions(std::move(kept), resolution_.link, resolution_.link);
@@ -109,7 +111,7 @@ class Refinement {
 
   // Arms go to where they meet, and free ends to what they lead to.
   Chains joined(Chains chains) const {
-    Blots blots = meet_in_blots(follow_ridges(chains.chains, ink_, ridge_), chains.junctions, ink_, drawn_,
+    Blots blots = meet_in_blots(follow_ridges(chains.chains, bands_, ridge_), chains.junctions, bands_, drawn_,
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
@@ -118,7 +120,7 @@ class Refinement {
       chains = merge_junctions(std::move(chains), near, near);
     }
     chains = follow_strokes(std::move(chains), ink_, bridge_, 2 * width_);
-    chains = drop_blot_loops(attach_ends(std::move(chains), ink_, ends_), ink_);
+    chains = drop_blot_loops(attach_ends(std::move(chains), bands_, ends_), ink_);
     chains = drop_spurs(drop_doubles(std::move(chains), resolution_.cell), resolution_.spur);
     chains = drop_spurs(join_crossings(std::move(chains), width_), resolution_.spur);
     return merge_junctions(std::move(chains), resolution_.link, resolution_.bare_link);
@@ -128,7 +130,7 @@ class Refinement {
   Chains located(Chains chains) const {
     RidgeOptions middle = ridge_;
     middle.slit = options_.slit * width_;
-    auto ridges = open_corners(follow_ridges(chains.chains, ink_, middle), chains.junctions, ink_.mask,
+    auto ridges = open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, ink_.mask,
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
@@ -145,6 +147,7 @@ class Refinement {
   CornerOptions corners(double longest) const { return {longest, kTipMiss * options_.pen}; }
 
   const Ink& ink_;
+  InkBands bands_;
   const Raster<std::uint8_t>& drawn_;
   const RefinementOptions& options_;
   double width_;   // of the strokes of the ink, px

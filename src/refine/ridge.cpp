@@ -119,12 +119,17 @@ std::vector<double> usual_widths(const std::vector<CrossSection>& sections, int 
   const int n = static_cast<int>(sections.size());
   std::vector<double> usual(sections.size(), overall);
   const int stride = std::max(1, span / 4);
+  std::vector<double> near;  // in order
+  int first = 0, end = 0;    // of the points that it is of
   for (int block = 0; block < n; block += stride) {
-    std::vector<double> near;
-    for (int i = std::max(0, block - span); i < std::min(n, block + span); ++i)
-      if (sections[at(i)].width > 0) near.push_back(sections[at(i)].width);
+    for (; end < std::min(n, block + span); ++end)
+      if (const double width = sections[at(end)].width; width > 0)
+        near.insert(std::upper_bound(near.begin(), near.end(), width), width);
+    for (; first < block - span; ++first)
+      if (const double width = sections[at(first)].width; width > 0)
+        near.erase(std::lower_bound(near.begin(), near.end(), width));
     if (near.size() < 5) continue;
-    const double local = median(near);
+    const double local = near[near.size() / 2];
     for (int i = block; i < std::min(n, block + stride); ++i) usual[at(i)] = std::min(local, 1.5 * overall);
   }
   return usual;
@@ -327,6 +332,12 @@ void split(const RidgeChain& whole, const std::vector<StrokePart>& stroke, std::
   }
 }
 
+template <class Work>
+void for_each_chain(std::vector<RidgeChain>& ridges, int threads, const Work& work) {
+  const auto size = [&](int c) { return ridges[at(c)].chain.points.size(); };
+  for_each_largest_first(threads, static_cast<int>(ridges.size()), size, [&](int c) { work(ridges[at(c)]); });
+}
+
 void measure(RidgeChain& ridge, double stroke_width, double step) {
   ridge.chain.width = median(usual_widths(ridge.sections, width_span(stroke_width, step), stroke_width));
   ridge.chain.confirmed = step * static_cast<double>(std::count_if(ridge.sections.begin(), ridge.sections.end(),
@@ -335,18 +346,18 @@ void measure(RidgeChain& ridge, double stroke_width, double step) {
 
 }  // namespace
 
-std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const Ink& ink, const RidgeOptions& options) {
+std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const InkBands& bands, const RidgeOptions& options) {
   std::vector<RidgeChain> ridges, wholes;
-  for (const auto& chain : chains) {
-    ridges.push_back({chain, {}, options.taken});
-    ridges.back().chain.points = spaced_points(chain, options.step);
-  }
+  for (const auto& chain : chains) ridges.push_back({chain, {}, options.taken});
+  for_each_chain(ridges, options.threads,
+                 [&](RidgeChain& ridge) { ridge.chain.points = spaced_points(ridge.chain, options.step); });
   const auto strokes = strokes_of(chains, options.stroke_span);
   for (const auto& stroke : strokes) wholes.push_back({joined(stroke, ridges), {}});
-  const InkBand band(ink, options.bridge);
+  const Ink& ink = bands.ink();
+  const InkBand& band = bands.of(options.bridge);
   for (int round = 0; round < 2; ++round) follow_once(wholes, ink, band, options);
   for (std::size_t s = 0; s < strokes.size(); ++s) split(wholes[s], strokes[s], ridges);
-  for (RidgeChain& ridge : ridges) measure(ridge, ink.stroke_width, options.step);
+  for_each_chain(ridges, options.threads, [&](RidgeChain& ridge) { measure(ridge, ink.stroke_width, options.step); });
   return ridges;
 }
 

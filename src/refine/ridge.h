@@ -38,6 +38,6 @@ struct RidgeOptions {
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,
 // the side that is paper decides.  Ends are not moved along the chain; junctions are left where they are (locate_junctions moves
 // them).
-std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const Ink& ink, const RidgeOptions& options);
+std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const InkBands& bands, const RidgeOptions& options);
 
 }  // namespace inkgrid

@@ -9,7 +9,6 @@
 #include "base/sample.h"
 #include "base/union_find.h"
 #include "graph/dissolve.h"
-#include "refine/ownership.h"
 
 namespace inkgrid {
 namespace {
@@ -107,15 +106,15 @@ int bins_of(double length, int most) {
 
 }  // namespace
 
-Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach) {
-  const InkBand band(ink, reach);
+Chains drop_uncovered(Chains chains, const InkBands& bands, int bins, double reach) {
+  const InkBand& band = bands.of(reach);
   const Ownership ownership = assign_ink(chains.chains, band);
   std::vector<int> histogram(chains.chains.size() * static_cast<std::size_t>(bins), 0);
   std::vector<std::vector<double>> lengths;
   for (const auto& c : chains.chains) lengths.push_back(lengths_along(c.points));
   for (std::size_t i = 0; i < ownership.owners.size(); ++i) {
     const int owner = ownership.owners[i];
-    if (owner < 0 || !ink.mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
+    if (owner < 0 || !bands.ink().mask(band.pixels()[i].x, band.pixels()[i].y)) continue;
     const auto s = ownership.samples[at(owner)];
     const auto& l = lengths[at(s.chain)];
     const double parameter = l.back() > 0 ? l[at(s.point)] / l.back() : 0;
@@ -139,26 +138,26 @@ namespace {
 // All points of all chains, binned so that neighbours are found at once.
 class PointBins {
  public:
-  PointBins(const std::vector<Chain>& chains, double cell) : cell_(cell) {
-    for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-      const auto& points = chains[at(c)].points;
-      for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-        const Vec2 p = points[at(k)];
-        entries_.push_back({column(p.x), column(p.y), c, p, tangent_at(points, k, 2, false)});
+  // `chains` must live as long and stay as they are.
+  PointBins(const std::vector<Chain>& chains, double cell) : chains_(chains), cell_(cell) {
+    for (int c = 0; c < static_cast<int>(chains.size()); ++c)
+      for (int k = 0; k < static_cast<int>(chains[at(c)].points.size()); ++k) {
+        const Vec2 p = chains[at(c)].points[at(k)];
+        entries_.push_back({column(p.x), column(p.y), c, k});
       }
-    }
     std::sort(entries_.begin(), entries_.end(), before);
   }
 
-  // Whether a point of another chain that is still alive is within `distance` (at most the cell size) of p and runs the same way,
-  // to an angle of this cosine.
-  bool has_companion(Vec2 p, Vec2 direction, int chain, const std::vector<std::uint8_t>& alive, double distance,
-                     double cosine) const {
+  // Whether a point of another chain that is still alive is within `distance` (at most the cell size) of point k of the chain
+  // and runs the same way, to an angle of this cosine.
+  bool has_companion(int chain, int k, const std::vector<std::uint8_t>& alive, double distance, double cosine) const {
+    const Vec2 p = chains_[at(chain)].points[at(k)];
     for (int y = column(p.y) - 1; y <= column(p.y) + 1; ++y) {
-      auto it = std::lower_bound(entries_.begin(), entries_.end(), Entry{column(p.x) - 1, y, -1, {}, {}}, before);
+      auto it = std::lower_bound(entries_.begin(), entries_.end(), Entry{column(p.x) - 1, y, -1, -1}, before);
       for (; it != entries_.end() && it->y == y && it->x <= column(p.x) + 1; ++it)
-        if (it->chain != chain && alive[at(it->chain)] && norm2(it->point - p) <= distance * distance &&
-            std::abs(dot(it->direction, direction)) >= cosine)
+        if (it->chain != chain && alive[at(it->chain)] &&
+            norm2(chains_[at(it->chain)].points[at(it->point)] - p) <= distance * distance &&
+            (cosine <= 0 || std::abs(dot(direction(it->chain, it->point), direction(chain, k))) >= cosine))
           return true;
     }
     return false;
@@ -166,15 +165,16 @@ class PointBins {
 
  private:
   struct Entry {
-    int x, y, chain;
-    Vec2 point, direction;
+    int x, y, chain, point;
   };
   static bool before(const Entry& a, const Entry& b) {
     if (a.y != b.y) return a.y < b.y;
     return a.x != b.x ? a.x < b.x : a.chain < b.chain;
   }
   int column(double v) const { return static_cast<int>(std::floor(v / cell_)); }
+  Vec2 direction(int chain, int k) const { return tangent_at(chains_[at(chain)].points, k, 2, false); }
 
+  const std::vector<Chain>& chains_;
   double cell_;
   std::vector<Entry> entries_;
 };
@@ -206,8 +206,7 @@ Chains drop_doubles(Chains chains, double distance) {
   for (const int c : shortest_first(chains.chains)) {
     const auto& points = chains.chains[at(c)].points;
     int doubled = 0;
-    for (int k = 0; k < static_cast<int>(points.size()); ++k)
-      doubled += bins.has_companion(points[at(k)], tangent_at(points, k, 2, false), c, alive, distance, 0.8);
+    for (int k = 0; k < static_cast<int>(points.size()); ++k) doubled += bins.has_companion(c, k, alive, distance, 0.8);
     if (7 * doubled >= 6 * static_cast<int>(points.size())) alive[at(c)] = 0;
   }
   return kept_chains(std::move(chains), alive);
@@ -230,8 +229,10 @@ Chains drop_spurs(Chains chains, double share) {
     if (c.closed || std::min(c.start_junction, c.end_junction) >= 0) continue;
     if (j >= 0 && degree[at(j)] < 3) continue;
     const double distance = share * (j >= 0 ? widest[at(j)] : c.width);
-    alive[at(i)] =
-        !std::all_of(c.points.begin(), c.points.end(), [&](Vec2 p) { return bins.has_companion(p, {}, i, alive, distance, 0); });
+    bool accompanied = true;
+    for (int k = 0; accompanied && k < static_cast<int>(c.points.size()); ++k)
+      accompanied = bins.has_companion(i, k, alive, distance, 0);
+    alive[at(i)] = !accompanied;
   }
   return kept_chains(std::move(chains), alive);
 }

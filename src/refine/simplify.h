@@ -5,12 +5,13 @@
 #pragma once
 
 #include "graph/chains.h"
+#include "refine/ownership.h"
 
 namespace inkgrid {
 
 // Section 6.3: each stroke pixel counts for its nearest chain, in a histogram over the chain's parameter; a chain with an empty
 // bin is dropped.  `reach` (px) is how far a chain may be from the ink that it stands for.
-Chains drop_uncovered(Chains chains, const Ink& ink, int bins, double reach);
+Chains drop_uncovered(Chains chains, const InkBands& bands, int bins, double reach);
 
 // Chains that run within `distance` px of others all along (but for a seventh of their length), the shorter ones first, are
 // dropped.
