@@ -286,6 +286,12 @@ FitOptions fit_options_of(const Stages& stages) {
   return {options.tolerance * width * pixel_of(stages), corner * pixel_of(stages), options.threads, width * pixel_of(stages)};
 }
 
+Drawing fitted_curves(const Stages& stages, const std::vector<Curve>& before) {
+  const double pixel = pixel_of(stages);
+  const auto depth = [&](Vec2 p) { return pixel * depth_at(stages.ink.mask, p / pixel, stages.ink.stroke_width); };
+  return fit_curves(stages.chains, fit_options_of(stages), depth, before);
+}
+
 // Curves of an earlier run, and what they were fitted with.
 struct FittedBefore {
   FitOptions options;
@@ -320,10 +326,8 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
   if (!stages.parts.empty()) report_mesh(assembled_mesh(stages), stages.report);
   report_leftovers(stages.chains, stages.ink.stroke_width * pixel_of(stages), stages.report);
   if (first <= Stage::fit) {
-    const FitOptions options = fit_options_of(stages);
-    const bool same = options == before.options;
-    stages.drawing =
-        run("fit", 0.98, [&] { return fit_curves(stages.chains, options, same ? before.curves : std::vector<Curve>{}); });
+    const bool same = first > Stage::ink && fit_options_of(stages) == before.options;
+    stages.drawing = run("fit", 0.98, [&] { return fitted_curves(stages, same ? before.curves : std::vector<Curve>{}); });
     stages.drawing.fills = fitted_fills(stages);
   }
   count_curves(stages.drawing, stages.report);

@@ -353,6 +353,25 @@ TEST(Fit, DegenerateInputsGiveFiniteCurves) {
   EXPECT_TRUE(point[0].p0 == a && point[0].p3 == a);
 }
 
+// Sides that meet at a right angle, a corner that the chain cuts, and ink of 20 px around a sharp or a rounded line.
+TEST(Fit, ACutCornerIsAnArcWhereTheInkIsRounded) {
+  const Line cut = joined({dense({{10, 100}, {90, 100}}), dense_arc({90, 95}, 5, pi / 2, 0), dense({{95, 95}, {95, 20}})});
+  for (const double radius : {0.0, 10.0}) {
+    const Line drawn = radius == 0
+                           ? Line{{10, 100}, {95, 100}, {95, 20}}
+                           : joined({Line{{10, 100}, {85, 100}}, dense_arc({85, 90}, 10, pi / 2, 0), Line{{95, 90}, {95, 20}}});
+    const auto depth = [&](Vec2 p) { return std::max(0.0, 10 - reach({p}, drawn)); };
+    const Cubics cubics = fit_polyline(cut, false, {0.6, 12}, depth);
+    const double sharpest = reach({{95, 100}}, sampled(cubics));
+    if (radius == 0) {
+      EXPECT_LT(sharpest, 0.3);
+    } else {
+      EXPECT_GT(sharpest, 1.5);
+      expect_smooth(cubics, false);
+    }
+  }
+}
+
 TEST(Fit, CurvesKeepWhatChainsKnow) {
   Chains chains;
   chains.junctions = {{10, 10}, {90, 40}};
@@ -406,7 +425,7 @@ TEST(Fit, CurvesOfAnEarlierRunAreTakenOverFromChainsOfTheSameWidthOnly) {
   chains.chains.push_back({relayed_line(), false, -1, -1, 4, 1});
   const Drawing before = fit_curves(chains, options);
   chains.chains[0].width = 12;
-  const auto again = fit_curves(chains, options, before.curves).curves.front().segments;
+  const auto again = fit_curves(chains, options, {}, before.curves).curves.front().segments;
   const auto anew = fit_curves(chains, options).curves.front().segments;
   ASSERT_EQ(again.size(), anew.size());
   EXPECT_NE(again.size(), before.curves.front().segments.size());

@@ -203,6 +203,31 @@ TEST_P(EachCorner, AnAcuteCornerIsSharpAndHasNoSpur) {
 INSTANTIATE_TEST_SUITE_P(ThinCorners, EachCorner, ::testing::Combine(::testing::Values(3.0), ::testing::Range(25, 65, 5)));
 INSTANTIATE_TEST_SUITE_P(Corners, EachCorner, ::testing::Combine(::testing::Values(6.0), ::testing::Range(15, 65, 5)));
 
+class EachRounding : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+// The inner rim of a corner of half a pen's radius is as sharp as that of a corner.
+TEST_P(EachRounding, ACornerIsAsRoundAsItWasDrawn) {
+  const auto [pen, degrees] = GetParam();
+  const double size = 24 * pen;
+  for (const double radius : {0.0, 0.5 * pen, pen}) {
+    SCOPED_TRACE(radius);
+    Line truth;
+    for (int k = 0; k < 4; ++k) {
+      const Vec2 out = polar(1, (90 * k + 45 + degrees) * kDegree) * std::sqrt(2.0) * (6 * pen - radius);
+      for (int i = 0; i <= 12; ++i)
+        truth.push_back(Vec2{size / 2, size / 2} + out + polar(radius, (90 * k + degrees + 7.5 * i) * kDegree));
+    }
+    truth.push_back(truth.front());
+    const Drawing drawing = traced(painted({truth}, pen, static_cast<int>(size), static_cast<int>(size)), Preset::clean);
+    ASSERT_EQ(drawing.curves.size(), 1u);
+    EXPECT_TRUE(drawing.curves[0].closed);
+    EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.13 * pen) << "a sharp corner in place of an arc is off by .21 pens";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corners, EachRounding,
+                         ::testing::Combine(::testing::Values(8.0, 12.0, 20.0, 40.0), ::testing::Values(0, 17, 40)));
+
 class EachStar : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
 TEST_P(EachStar, ManyStrokesMeetInOneJunction) {

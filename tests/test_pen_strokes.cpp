@@ -68,6 +68,27 @@ TEST(PenStrokes, CompactShapesHaveNone) {
   }
 }
 
+// As in a sign that something is loading.
+TEST(PenStrokes, SeveralShortTicksAreStrokesWhereNothingElseIs) {
+  for (const int ticks : {3, 8}) {
+    Image image = blank(300, 300);
+    for (int k = 0; k < ticks; ++k) {
+      const Vec2 out{std::cos(0.2 + 6.2832 * k / ticks), std::sin(0.2 + 6.2832 * k / ticks)};
+      paint(image, {Vec2{150, 150} + 60 * out, Vec2{150, 150} + 110 * out}, 24);
+    }
+    EXPECT_NEAR(strokes_of(image).width, 24, 1.5);
+  }
+}
+
+TEST(PenStrokes, SeveralCompactShapesAreNone) {
+  Image image = blank(300, 300);
+  for (const double x : {20.0, 120.0, 220.0}) {
+    fill(image, {{x, 40}, {x + 60, 40}, {x + 60, 100}, {x, 100}});
+    paint(image, {{x + 30, 200}, {x + 30, 201}}, 50);
+  }
+  EXPECT_DOUBLE_EQ(strokes_of(image).width, 0);
+}
+
 TEST(PenStrokes, TheirWidthIsThatOfMostOfTheLines) {
   Image image = blank(300, 300);
   for (const double y : {40.0, 80.0, 120.0}) paint(image, {{20, y}, {280, y + 3}}, 5);

@@ -8,16 +8,6 @@ namespace {
 
 constexpr double kParallel = 1e-6;  // sine of an angle below which a crossing has no place
 
-}  // namespace
-
-std::vector<double> lengths_along(const std::vector<Vec2>& path) {
-  std::vector<double> lengths(path.size(), 0);
-  for (std::size_t i = 1; i < path.size(); ++i) lengths[i] = lengths[i - 1] + norm(path[i] - path[i - 1]);
-  return lengths;
-}
-
-namespace {
-
 // Of a place on segment i, which lies between its ends.
 Vec2 point_between(const std::vector<Vec2>& path, const std::vector<double>& lengths, std::size_t i, double s) {
   const double step = lengths[i] - lengths[i - 1];
@@ -25,6 +15,12 @@ Vec2 point_between(const std::vector<Vec2>& path, const std::vector<double>& len
 }
 
 }  // namespace
+
+std::vector<double> lengths_along(const std::vector<Vec2>& path) {
+  std::vector<double> lengths(path.size(), 0);
+  for (std::size_t i = 1; i < path.size(); ++i) lengths[i] = lengths[i - 1] + norm(path[i] - path[i - 1]);
+  return lengths;
+}
 
 Vec2 point_at(const std::vector<Vec2>& path, const std::vector<double>& lengths, double s) {
   if (s <= 0) return path.front();

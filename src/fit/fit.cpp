@@ -359,10 +359,10 @@ FitOptions options_for(const Chain& chain, FitOptions options) {
   return options;
 }
 
-Curve curve_of(const Chain& chain, const FitOptions& options, const Fitted& before) {
+Curve curve_of(const Chain& chain, const FitOptions& options, const InkDepth& depth, const Fitted& before) {
   const std::uint64_t id = digest(chain.points);
   const Curve* const known = before.find(id, chain);
-  return {known ? known->segments : fit_polyline(chain.points, has_free_seam(chain), options_for(chain, options)),
+  return {known ? known->segments : fit_polyline(chain.points, has_free_seam(chain), options_for(chain, options), depth),
           chain.closed,
           chain.width,
           chain.coverage,
@@ -373,11 +373,11 @@ Curve curve_of(const Chain& chain, const FitOptions& options, const Fitted& befo
 
 }  // namespace
 
-std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options) {
+std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options, const InkDepth& depth) {
   if (points.empty()) return {};
   const Samples samples = sample_polyline(points, closed, options.corner_span / 8);
   if (samples.points.size() < 3) return {straight(samples.points.front(), samples.points.back())};
-  std::vector<Corner> corners = find_corners(samples, options.corner_span);
+  std::vector<Corner> corners = find_corners(samples, options.corner_span, depth);
   if (samples.closed && corners.empty()) return fit_smooth(samples, options);
   if (samples.closed) {
     corners.push_back(corners.front());
@@ -391,13 +391,13 @@ std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const
   return cubics;
 }
 
-Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before) {
+Drawing fit_curves(const Chains& chains, const FitOptions& options, const InkDepth& depth, const std::vector<Curve>& before) {
   const Fitted known(before);
   const int count = static_cast<int>(chains.chains.size());
   std::vector<Curve> curves(chains.chains.size());
   for_each_largest_first(
       options.threads, count, [&](int c) { return chains.chains[at(c)].points.size(); },
-      [&](int c) { curves[at(c)] = curve_of(chains.chains[at(c)], options, known); });
+      [&](int c) { curves[at(c)] = curve_of(chains.chains[at(c)], options, depth, known); });
   Drawing drawing;
   drawing.junctions = chains.junctions;
   std::set<std::uint64_t> ids;

@@ -4,6 +4,7 @@
 // Cost:   linear in the number of points times the number of tries; curves are fitted on several threads.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,14 +22,20 @@ struct FitOptions {
   friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
 
+// How far it is from a point to the nearest paper, px; empty: nothing is known of the ink.
+using InkDepth = std::function<double(Vec2)>;
+
 // Few cubic segments within the tolerance, but for points that cut a corner (they are left out, and the corner is where its sides
 // meet). Segments are weighed against squared error, so that joints fall where lines turn into arcs.  The end points are
 // interpolated to the last digit; segments share their joints to the last digit; joints that are not corners are smooth (G1,
 // tangents equal to 1e-9); a closed polyline (front == back) gives a closed curve, smooth at its seam unless the seam is a corner
-// (a closed curve's seam is moved to a corner if it has one).
-std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options);
+// (a closed curve's seam is moved to a corner if it has one).  A turn whose sides meet where the ink does not reach as far as
+// that of a corner is an arc.
+std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options, const InkDepth& depth = {});
 
-// `before`: curves fitted with the same options; those whose chain is there again, as wide, are taken as they are.
-Drawing fit_curves(const Chains& chains, const FitOptions& options, const std::vector<Curve>& before = {});
+// `before`: curves fitted with the same options to the same ink; those whose chain is there again, as wide, are taken as they
+// are. `depth` is asked on several threads.
+Drawing fit_curves(const Chains& chains, const FitOptions& options, const InkDepth& depth = {},
+                   const std::vector<Curve>& before = {});
 
 }  // namespace inkgrid

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kCornerTurn = 39 * std::numbers::pi / 180;    // least turn of a corner
 constexpr double kCornerExcess = 34 * std::numbers::pi / 180;  // of which the curvature on both sides explains all but this
+constexpr double kSharpestArc = 100 * std::numbers::pi / 180;  // turn; tips are cut by more than corners
+constexpr double kReach = 0.78;  // half widths: an arc of less than a quarter of the width is a corner
+constexpr double kBlur = 0.5;    // px
 constexpr double kMostSamples = 50000;
 
 // Points closer than `least` to their predecessor are dropped, but for the last one, which replaces it.
@@ -135,11 +138,17 @@ struct Room {
   int before, after;  // places to the next corners or ends
 };
 
-std::optional<Vec2> crossing_of_sides(const EvenLine& line, int place, Room room) {
+struct Meeting {
+  Vec2 point;
+  double turn;  // from one side to the other
+};
+
+std::optional<Meeting> meeting_of_sides(const EvenLine& line, int place, Room room) {
   const Side a = straight_side(line, place, -1, room.before), b = straight_side(line, place, 1, room.after);
   const double sine = cross(a.direction, b.direction);
   if (std::abs(sine) < 0.1) return std::nullopt;
-  return a.point + (cross(b.point - a.point, b.direction) / sine) * a.direction;
+  const Vec2 point = a.point + (cross(b.point - a.point, b.direction) / sine) * a.direction;
+  return Meeting{point, std::atan2(std::abs(sine), dot(a.direction, b.direction))};
 }
 
 int nearest_place(const EvenLine& line, int place, Vec2 p) {
@@ -175,16 +184,27 @@ Room room_at(const EvenLine& line, const std::vector<int>& places, std::size_t i
   return {places[i] - before, after - places[i]};
 }
 
-Corner corner_at(const Samples& samples, const EvenLine& line, int place, Room room, double span) {
+// Ink of one width reaches half of it beyond a corner, and less beyond the meeting of the sides of an arc.
+bool is_arc(const EvenLine& line, int place, const Meeting& sides, const InkDepth& depth) {
+  if (!depth || sides.turn > kSharpestArc) return false;
+  const double beside = std::max(depth(line.point(place - line.offset())), depth(line.point(place + line.offset())));
+  return depth(sides.point) < kReach * beside - kBlur;
+}
+
+// None where it is an arc.
+std::optional<Corner> corner_at(const Samples& samples, const EvenLine& line, int place, Room room, double span,
+                                const InkDepth& depth) {
   const double turn = std::abs(line.turn(place - line.offset(), place + line.offset()));
-  if (const auto sides = crossing_of_sides(line, place, room)) {
-    const int nearest = nearest_place(line, place, *sides);
-    const double gap = norm(line.point(nearest) - *sides);
+  if (const auto sides = meeting_of_sides(line, place, room)) {
+    const int nearest = nearest_place(line, place, sides->point);
+    const double gap = norm(line.point(nearest) - sides->point);
+    if (gap <= span / 2 && is_arc(line, place, *sides, depth)) return std::nullopt;
     // An arc that touches both sides and passes the corner at `gap` has this tangent length.
-    if (gap <= span / 2) return {*sides, line.wrap(nearest) * line.spacing(), std::min(span, 1.3 * gap / std::tan(turn / 4))};
+    if (gap <= span / 2)
+      return Corner{sides->point, line.wrap(nearest) * line.spacing(), std::min(span, 1.3 * gap / std::tan(turn / 4))};
   }
   const double arc = line.wrap(sharpest_place(line, place)) * line.spacing();
-  return {nearest_sample(samples, arc), arc, 0};
+  return Corner{nearest_sample(samples, arc), arc, 0};
 }
 
 }  // namespace
@@ -208,13 +228,14 @@ Samples sample_polyline(std::span<const Vec2> polyline, bool closed, double spac
   return samples;
 }
 
-std::vector<Corner> find_corners(const Samples& samples, double span) {
+std::vector<Corner> find_corners(const Samples& samples, double span, const InkDepth& depth) {
   std::vector<Corner> corners;
   if (samples.points.size() < 3 || samples.arc.back() < span) return corners;
   const EvenLine line(samples, span);
   const std::vector<int> places = corner_places(line);
   for (std::size_t i = 0; i < places.size(); ++i)
-    corners.push_back(corner_at(samples, line, places[i], room_at(line, places, i), span));
+    if (const auto corner = corner_at(samples, line, places[i], room_at(line, places, i), span, depth))
+      corners.push_back(*corner);
   // A crossing may lie beside the end of a short hook.
   const double ends = samples.closed ? 0 : span / 4;
   std::erase_if(corners, [&](const Corner& c) { return c.arc < ends || c.arc > samples.arc.back() - ends; });

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "fit/fit.h"
 #include "inkgrid/vec2.h"
 
 namespace inkgrid {
@@ -27,8 +28,8 @@ struct Corner {
   double rounded = 0;  // px to either side along which the polyline cuts the corner
 };
 
-// Turns of more than about 38 degrees within `span` px that stand out from the curvature around them, in order along the
-// polyline.
-std::vector<Corner> find_corners(const Samples& samples, double span);
+// Turns of more than about 38 degrees within `span` px that stand out from the curvature around them and are no arcs of the ink,
+// in order along the polyline.
+std::vector<Corner> find_corners(const Samples& samples, double span, const InkDepth& depth);
 
 }  // namespace inkgrid

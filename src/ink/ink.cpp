@@ -272,6 +272,17 @@ Raster<std::uint8_t> closed_ink(const Ink& ink, double radius, int threads) {
   return closed;
 }
 
+double depth_at(const Raster<std::uint8_t>& mask, Vec2 p, double most) {
+  const double reach = most + 0.5;
+  double nearest = reach * reach;
+  const auto first = [&](double v) { return std::max(0, static_cast<int>(std::floor(v - reach))); };
+  const auto last = [&](double v, int size) { return std::min(size - 1, static_cast<int>(std::ceil(v + reach))); };
+  for (int y = first(p.y); y <= last(p.y, mask.height); ++y)
+    for (int x = first(p.x); x <= last(p.x, mask.width); ++x)
+      if (!mask(x, y)) nearest = std::min(nearest, norm2(Vec2{x + 0.5, y + 0.5} - p));
+  return std::max(0.0, std::sqrt(nearest) - 0.5);
+}
+
 double slit_share(const Ink& ink, double width) {
   if (ink.pixels == 0) return 0;
   const double radius = width / 2;

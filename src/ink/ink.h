@@ -44,6 +44,10 @@ double slit_share(const Ink& ink, double width);
 // The image's border counts as a continuation of what lies on it, not as background.
 Ink measure_ink(Binarisation binarisation, int enlargement = 1);
 
+// From p to the middle of the nearest paper pixel, less half a pixel, px; 0 on paper, at most `most`; beyond the border is no
+// paper.
+double depth_at(const Raster<std::uint8_t>& mask, Vec2 p, double most);
+
 // Whether no more than `bridge` px of paper at a time lie on the straight way.
 bool over_ink(const Raster<std::uint8_t>& mask, Vec2 from, Vec2 to, double bridge);
 

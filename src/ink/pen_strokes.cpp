@@ -25,6 +25,9 @@ struct Uniformity {
 // Bundles of overdrawn strokes vary much.  Ink far wider than the pen is a stroke only where it has the look of a wide pen's.
 constexpr Uniformity kNarrow{1.3F, 6};
 constexpr Uniformity kWide{1.15F, 8};
+// Where nothing is that long: several ticks of one width, and little else.
+constexpr Uniformity kTick{1.15F, 2.5F};
+constexpr std::size_t kSeveral = 3;
 
 bool is_centre(const Raster<float>& depth, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy)
@@ -47,10 +50,18 @@ class RunFinder {
   void mark(float least, float most, Uniformity uniformity) {
     for (auto& c : centres_)
       if (c.depth > least) c.of_stroke = false;
-    for (float depth = std::max(1.0F, least); depth < kClassStep * most; depth *= kClassStep) {
-      ++round_;
-      for (int i = 0; i < static_cast<int>(centres_.size()); ++i)
-        if (begins_run(i, depth, uniformity.variation)) mark_run(i, depth, least, uniformity);
+    for (float depth = std::max(1.0F, least); depth < kClassStep * most; depth *= kClassStep)
+      for (const auto& run : runs_of(depth, uniformity)) mark_run(run, depth, least);
+  }
+
+  // Marks runs of one depth, if they are several and most of the centres are theirs.
+  void mark_ticks(float most) {
+    for (float depth = 1; depth < kClassStep * most; depth *= kClassStep) {
+      const auto ticks = runs_of(depth, kTick);
+      std::size_t covered = 0;
+      for (const auto& tick : ticks) covered += tick.size();
+      if (ticks.size() < kSeveral || 2 * covered < centres_.size()) continue;
+      for (const auto& tick : ticks) mark_run(tick, depth, 0);
     }
   }
 
@@ -64,9 +75,18 @@ class RunFinder {
     return seen_[at(i)] != round_ && near(centres_[at(i)].depth, depth, variation, 0.6F);
   }
 
-  void mark_run(int first, float depth, float least, Uniformity uniformity) {
-    const std::vector<int> run = collect(first, depth, uniformity.variation);
-    if (length_of(run) < uniformity.length * depth) return;
+  std::vector<std::vector<int>> runs_of(float depth, Uniformity uniformity) {
+    ++round_;
+    std::vector<std::vector<int>> runs;
+    for (int i = 0; i < static_cast<int>(centres_.size()); ++i) {
+      if (!begins_run(i, depth, uniformity.variation)) continue;
+      std::vector<int> run = collect(i, depth, uniformity.variation);
+      if (length_of(run) >= uniformity.length * depth) runs.push_back(std::move(run));
+    }
+    return runs;
+  }
+
+  void mark_run(const std::vector<int>& run, float depth, float least) {
     const float kernel = std::sqrt(kClassStep) * 1.02F;
     for (const int i : run)
       if (centres_[at(i)].depth > least && near(centres_[at(i)].depth, depth, kernel, 0.3F)) centres_[at(i)].of_stroke = true;
@@ -157,6 +177,10 @@ PenStrokes find_pen_strokes(const Raster<std::uint8_t>& ink, const Raster<float>
   RunFinder finder(strokes);
   finder.mark(0, most, kNarrow);
   strokes.width = median_width(strokes, darkness);
+  if (strokes.width == 0) {
+    finder.mark_ticks(most);
+    strokes.width = median_width(strokes, darkness);
+  }
   if (strokes.width > 0) finder.mark(far_wider * static_cast<float>(strokes.width / 2), most, kWide);
   return strokes;
 }

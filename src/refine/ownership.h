@@ -67,7 +67,7 @@ class InkBand {
   IndexRaster numbers_;  // with a margin of one pixel
 };
 
-// The bands of some ink, each built when it is first asked for.
+// The bands of some ink, each built when it is first asked for; not for several threads at once.
 class InkBands {
  public:
   InkBands(const Ink& ink) : ink_(ink) {}  // implicit, for what is done once
