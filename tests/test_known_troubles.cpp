@@ -228,6 +228,29 @@ TEST_P(EachRounding, ACornerIsAsRoundAsItWasDrawn) {
 INSTANTIATE_TEST_SUITE_P(Corners, EachRounding,
                          ::testing::Combine(::testing::Values(8.0, 12.0, 20.0, 40.0), ::testing::Values(0, 17, 40)));
 
+class EachTail : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+// Of a speech bubble: its sides are short.
+TEST_P(EachTail, EndsInASharpTip) {
+  const auto [pen, degrees] = GetParam();
+  const double radius = 80, half = 0.5 * degrees * kDegree, length = pen < 6 ? 24 : 40;
+  for (const double turn : {0.0, 13.0, 31.0}) {
+    const Vec2 centre{150, 150}, out = polar(1, (90 + turn) * kDegree), tip = centre + (radius + length) * out;
+    Line truth{tip};
+    // Where a side meets the circle, by the sine rule.
+    const double at_circle = std::asin((radius + length) / radius * std::sin(half)) - half;
+    for (double a = at_circle; a <= 2 * pi - at_circle; a += 0.01)
+      truth.push_back(centre + polar(radius, (90 + turn) * kDegree + a));
+    truth.push_back(tip);
+    const Drawing drawing = traced(painted({truth}, pen, 300, 300), Preset::clean);
+    EXPECT_LT(distance(tip, lines_of(drawing)), 0.25 * pen) << turn;
+    EXPECT_LT(distance_between(lines_of(drawing), {truth}), 0.35 * pen) << turn;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ThinTips, EachTail, ::testing::Combine(::testing::Values(3.0), ::testing::Values(45, 60)));
+INSTANTIATE_TEST_SUITE_P(ThickTips, EachTail, ::testing::Combine(::testing::Values(8.0), ::testing::Values(35, 45, 60)));
+
 class EachStar : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
 TEST_P(EachStar, ManyStrokesMeetInOneJunction) {

@@ -74,7 +74,7 @@ TEST(PenStrokes, SeveralShortTicksAreStrokesWhereNothingElseIs) {
     Image image = blank(300, 300);
     for (int k = 0; k < ticks; ++k) {
       const Vec2 out{std::cos(0.2 + 6.2832 * k / ticks), std::sin(0.2 + 6.2832 * k / ticks)};
-      paint(image, {Vec2{150, 150} + 60 * out, Vec2{150, 150} + 110 * out}, 24);
+      paint(image, {Vec2{150, 150} + 60 * out, Vec2{150, 150} + 90 * out}, 24);
     }
     EXPECT_NEAR(strokes_of(image).width, 24, 1.5);
   }

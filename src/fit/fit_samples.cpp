@@ -14,8 +14,10 @@ namespace {
 constexpr double kCornerTurn = 39 * std::numbers::pi / 180;    // least turn of a corner
 constexpr double kCornerExcess = 34 * std::numbers::pi / 180;  // of which the curvature on both sides explains all but this
 constexpr double kSharpestArc = 100 * std::numbers::pi / 180;  // turn; tips are cut by more than corners
-constexpr double kReach = 0.78;  // half widths: an arc of less than a quarter of the width is a corner
-constexpr double kBlur = 0.5;    // px
+constexpr double kReach = 0.78;      // half widths: an arc of less than a quarter of the width is a corner
+constexpr double kLongestTip = 1.5;  // spans that a chain may cut off
+constexpr double kLeftOut = 1.5;     // of that to either side
+constexpr double kBlur = 0.5;        // px
 constexpr double kMostSamples = 50000;
 
 // Points closer than `least` to their predecessor are dropped, but for the last one, which replaces it.
@@ -185,10 +187,9 @@ Room room_at(const EvenLine& line, const std::vector<int>& places, std::size_t i
 }
 
 // Ink of one width reaches half of it beyond a corner, and less beyond the meeting of the sides of an arc.
-bool is_arc(const EvenLine& line, int place, const Meeting& sides, const InkDepth& depth) {
-  if (!depth || sides.turn > kSharpestArc) return false;
+bool reaches(const EvenLine& line, int place, Vec2 corner, const InkDepth& depth) {
   const double beside = std::max(depth(line.point(place - line.offset())), depth(line.point(place + line.offset())));
-  return depth(sides.point) < kReach * beside - kBlur;
+  return depth(corner) >= kReach * beside - kBlur;
 }
 
 // None where it is an arc.
@@ -198,10 +199,12 @@ std::optional<Corner> corner_at(const Samples& samples, const EvenLine& line, in
   if (const auto sides = meeting_of_sides(line, place, room)) {
     const int nearest = nearest_place(line, place, sides->point);
     const double gap = norm(line.point(nearest) - sides->point);
-    if (gap <= span / 2 && is_arc(line, place, *sides, depth)) return std::nullopt;
+    const bool is_tip = sides->turn > kSharpestArc, drawn = depth && reaches(line, place, sides->point, depth);
+    if (gap <= span / 2 && depth && !is_tip && !drawn) return std::nullopt;
     // An arc that touches both sides and passes the corner at `gap` has this tangent length.
-    if (gap <= span / 2)
-      return Corner{sides->point, line.wrap(nearest) * line.spacing(), std::min(span, 1.3 * gap / std::tan(turn / 4))};
+    if (gap <= span / 2 || (is_tip && drawn && gap <= kLongestTip * span))
+      return Corner{sides->point, line.wrap(nearest) * line.spacing(),
+                    std::min(std::max(span, kLeftOut * gap), 1.3 * gap / std::tan(turn / 4))};
   }
   const double arc = line.wrap(sharpest_place(line, place)) * line.spacing();
   return Corner{nearest_sample(samples, arc), arc, 0};

@@ -26,7 +26,7 @@ struct Uniformity {
 constexpr Uniformity kNarrow{1.3F, 6};
 constexpr Uniformity kWide{1.15F, 8};
 // Where nothing is that long: several ticks of one width, and little else.
-constexpr Uniformity kTick{1.15F, 2.5F};
+constexpr Uniformity kTick{1.15F, 1.7F};
 constexpr std::size_t kSeveral = 3;
 
 bool is_centre(const Raster<float>& depth, int x, int y) {
