@@ -217,6 +217,20 @@ TEST(Simplify, RungsOverPaperGoAndLinksOverInkStay) {
   }
 }
 
+// An isoline goes on to the end of a cell, and slimming takes the ends of strokes.
+TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
+  for (const double drawn : {0.0, 4.0, 20.0}) {
+    Image image = blank(200, 200);
+    const Vec2 a{100, 100}, end{100, 72};
+    paint(image, {{20, 100}, {180, 100}}, kWidth);
+    paint(image, {a, a - Vec2{0, drawn}}, kWidth);
+    const Chains chains{{a},
+                        {chain_along({{20, 100}, a}, kWidth, -1, 0), chain_along({a, {180, 100}}, kWidth, 0, -1),
+                         chain_along({a, end}, kWidth, 0, -1)}};
+    EXPECT_EQ(drop_rungs(chains, ink_of(image), 30, 1).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
+  }
+}
+
 TEST(Simplify, LoopsAroundPaperStayAndLoopsInABlotGo) {
   auto loop = chain_along(testing::circle({100, 100}, 10), kWidth);
   loop.points.back() = loop.points.front();

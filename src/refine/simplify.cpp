@@ -254,12 +254,26 @@ std::vector<std::pair<std::size_t, std::size_t>> paper_stretches(const std::vect
 
 }  // namespace
 
+namespace {
+
+// Whether a chain leads over paper, but for what lies beyond the end of a stroke that it went along before.
+bool is_rung(const Chain& chain, const Ink& ink, double longest, double bridge) {
+  const auto points = resampled(chain.points, kPaperStep);
+  const auto stretches = paper_stretches(points, ink, bridge);
+  if (stretches.size() != 1) return !stretches.empty();
+  const auto [begin, end] = stretches.front();
+  const bool beyond_end = (begin == 0 && chain.start_junction < 0) || (end == points.size() && chain.end_junction < 0);
+  return !beyond_end || kPaperStep * static_cast<double>(points.size() - (end - begin)) < longest / 2;
+}
+
+}  // namespace
+
 Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge) {
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (std::size_t i = 0; i < chains.chains.size(); ++i) {
     const Chain& c = chains.chains[i];
     if (std::max(c.start_junction, c.end_junction) < 0 || length_of(c) > longest) continue;
-    alive[i] = paper_stretches(resampled(c.points, kPaperStep), ink, bridge).empty();
+    alive[i] = !is_rung(c, ink, longest, bridge);
   }
   return kept_chains(std::move(chains), alive);
 }
