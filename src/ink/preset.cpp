@@ -14,7 +14,7 @@ constexpr double kMuchPale = 0.25;
 constexpr double kSomeInside = 0.15;
 constexpr double kEnoughInside = 0.3;
 constexpr double kManySlits = 0.03;
-constexpr double kSpreadSeams = 0.038;  // where black strokes over each other leave grey seams; of pens of two widths it is less
+constexpr double kSpreadSeams = 0.038;  // where strokes over each other leave grey seams; of pens of two widths it is less
 constexpr double kSlitsWithSeams = 0.005;
 constexpr double kUnevenWidth = 0.48;
 constexpr int kStepsOfPixels = 1;     // of the depth, between one and the next place of a stroke on the pixels
@@ -88,7 +88,7 @@ Preset choose_preset(const Ink& ink, double pen_width) {
   const Sketchiness s = measure_sketchiness(ink, pen_width);
   const bool pale = s.inside > kSomeInside && s.opacity_spread > kSpreadOpacity && s.pale > kMuchPale;
   const bool unequal = s.inside > kEnoughInside && s.centre_spread > kSpreadCentres;
-  const bool seams = s.pale < kMuchPale && s.centre_spread > kSpreadSeams;
+  const bool seams = s.centre_spread > kSpreadSeams;
   const bool uneven = s.uneven_width > kUnevenWidth && s.uneven_width < kSeveralPens;
   const bool overdrawn = uneven && s.slits > (seams ? kSlitsWithSeams : kManySlits);
   return pale || unequal || overdrawn ? Preset::rough : Preset::clean;
