@@ -210,7 +210,7 @@ TEST(Simplify, RungsOverPaperGoAndLinksOverInkStay) {
                        {chain_along({{20, 90}, a}, kWidth, -1, 0), chain_along({a, {180, 90}}, kWidth, 0, -1),
                         chain_along({{20, 110}, b}, kWidth, -1, 1), chain_along({b, {180, 110}}, kWidth, 1, -1),
                         chain_along({a, b}, kWidth, 0, 1)}};
-    const Chains kept = drop_rungs(drawn, ink_of(image), 30, 1);
+    const Chains kept = drop_rungs(drawn, ink_of(image), {30, 1});
     EXPECT_EQ(kept.chains.size(), linked ? 5u : 2u);
     EXPECT_EQ(kept.junctions.size(), linked ? 2u : 0u);
     expect_consistent(kept);
@@ -227,7 +227,8 @@ TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
     const Chains chains{{a},
                         {chain_along({{20, 100}, a}, kWidth, -1, 0), chain_along({a, {180, 100}}, kWidth, 0, -1),
                          chain_along({a, end}, kWidth, 0, -1)}};
-    EXPECT_EQ(drop_rungs(chains, ink_of(image), 30, 1).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
+    EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1, 15}).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
+    EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1}).chains.size(), 1u);
   }
 }
 

@@ -16,18 +16,19 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kSeenOfPen = 0.35;  // of the pen: chains nearer to each other share their ink
-constexpr double kBlunt = 1.7;       // of the slimmed stroke: from here on a pen's width hides nothing more
-constexpr double kLongestRung = 3;   // of the slimmed stroke
-constexpr double kLongestBlot = 7;   // of the pen: that of the blot in a corner of 10 degrees
-constexpr double kShortBlot = 1.5;   // of the pen: where strokes that run side by side are one
-constexpr double kTrimmed = 2.5;     // of the pen
-constexpr double kLongestHook = 2;   // of the pen
-constexpr double kOneBlot = 3;       // px: where two blots have met so near to each other, they are of one crossing
-constexpr double kOnePlace = 0.25;   // of the pen: junctions nearer to each other than this are one
-constexpr double kTipMiss = 0.6;     // of the pen
-constexpr double kOvershoot = 2;     // strokes
-constexpr double kStraight = 2;      // strokes: chains that are in line over this are one
+constexpr double kSeenOfPen = 0.35;   // of the pen: chains nearer to each other share their ink
+constexpr double kBlunt = 1.7;        // of the slimmed stroke: from here on a pen's width hides nothing more
+constexpr double kLongestRung = 3;    // of the slimmed stroke
+constexpr double kShortStroke = 1.5;  // of the slimmed stroke
+constexpr double kLongestBlot = 7;    // of the pen: that of the blot in a corner of 10 degrees
+constexpr double kShortBlot = 1.5;    // of the pen: where strokes that run side by side are one
+constexpr double kTrimmed = 2.5;      // of the pen
+constexpr double kLongestHook = 2;    // of the pen
+constexpr double kOneBlot = 3;        // px: where two blots have met so near to each other, they are of one crossing
+constexpr double kOnePlace = 0.25;    // of the pen: junctions nearer to each other than this are one
+constexpr double kTipMiss = 0.6;      // of the pen
+constexpr double kOvershoot = 2;      // strokes
+constexpr double kStraight = 2;       // strokes: chains that are in line over this are one
 
 constexpr double kPassed = 0.7;           // strokes: by so much chains of bundles pass their junctions
 constexpr double kLongestBundleHook = 3;  // strokes
@@ -102,8 +103,9 @@ class Refinement {
 
   // Chains that stand for ink of their own.
   Chains supported(const Chains& chains) const {
-    Chains kept =
-        drop_rungs(drop_uncovered(chains, bands_, options_.coverage_bins, bridge_), ink_, kLongestRung * width_, bridge_);
+    // Slimming takes the ends of strokes, too.
+    const RungOptions rungs{kLongestRung * width_, bridge_, is_slimmed() ? kShortStroke * width_ : kNever};
+    Chains kept = drop_rungs(drop_uncovered(chains, bands_, options_.coverage_bins, bridge_), ink_, rungs);
     kept = cut_on_paper(drop_blot_loops(std::move(kept), ink_), ink_, blot_.paper);
     kept = drop_spurs(std::move(kept), resolution_.raw_spur);
     return merge_junctions(std::move(kept), resolution_.link, resolution_.link);

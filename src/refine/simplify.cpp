@@ -257,23 +257,23 @@ std::vector<std::pair<std::size_t, std::size_t>> paper_stretches(const std::vect
 namespace {
 
 // Whether a chain leads over paper, but for what lies beyond the end of a stroke that it went along before.
-bool is_rung(const Chain& chain, const Ink& ink, double longest, double bridge) {
+bool is_rung(const Chain& chain, const Ink& ink, const RungOptions& options) {
   const auto points = resampled(chain.points, kPaperStep);
-  const auto stretches = paper_stretches(points, ink, bridge);
+  const auto stretches = paper_stretches(points, ink, options.bridge);
   if (stretches.size() != 1) return !stretches.empty();
   const auto [begin, end] = stretches.front();
   const bool beyond_end = (begin == 0 && chain.start_junction < 0) || (end == points.size() && chain.end_junction < 0);
-  return !beyond_end || kPaperStep * static_cast<double>(points.size() - (end - begin)) < longest / 2;
+  return !beyond_end || kPaperStep * static_cast<double>(points.size() - (end - begin)) < options.stroke;
 }
 
 }  // namespace
 
-Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge) {
+Chains drop_rungs(Chains chains, const Ink& ink, const RungOptions& options) {
   std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (std::size_t i = 0; i < chains.chains.size(); ++i) {
     const Chain& c = chains.chains[i];
-    if (std::max(c.start_junction, c.end_junction) < 0 || length_of(c) > longest) continue;
-    alive[i] = !is_rung(c, ink, longest, bridge);
+    if (std::max(c.start_junction, c.end_junction) < 0 || length_of(c) > options.longest) continue;
+    alive[i] = !is_rung(c, ink, options);
   }
   return kept_chains(std::move(chains), alive);
 }

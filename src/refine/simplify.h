@@ -4,6 +4,8 @@
 // Cost:   linear in the length of the chains.
 #pragma once
 
+#include <limits>
+
 #include "graph/chains.h"
 #include "refine/ownership.h"
 
@@ -17,9 +19,16 @@ Chains drop_uncovered(Chains chains, const InkBands& bands, int bins, double rea
 // dropped.
 Chains drop_doubles(Chains chains, double distance);
 
-// Chains on a junction, up to `longest` px, that cross more than `bridge` px of paper are dropped: they lead from one stroke to
-// the next where the band closed the paper between them.
-Chains drop_rungs(Chains chains, const Ink& ink, double longest, double bridge);
+struct RungOptions {
+  double longest = 0;  // px
+  double bridge = 0;   // px: less paper is part of a stroke
+  double stroke =
+      std::numeric_limits<double>::infinity();  // px: over so much ink a chain is a stroke, and may leave it at its free end
+};
+
+// Chains on a junction, up to `longest`, that cross more paper than `bridge` are dropped: they lead from one stroke to the next
+// where the band closed the paper between them.
+Chains drop_rungs(Chains chains, const Ink& ink, const RungOptions& options);
 
 // Loops without paper inside are dropped: there is but a blot.
 Chains drop_blot_loops(Chains chains, const Ink& ink);
