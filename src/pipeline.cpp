@@ -116,14 +116,14 @@ double pen_width(const Strokes& strokes, const Options& options) {
 }
 
 Look look_of(const Ink& ink, double pen_width) {
-  return {choose_preset(ink, pen_width), is_fine(pen_width, ink)};
+  return {choose_preset(ink, pen_width), has_fine_pen(pen_width, ink), pen_width > 0 && has_fine_paper(ink)};
 }
 
 void run_ink(const Image& image, Stages& stages, Stopwatch& run, const Control& control) {
   const Options& options = stages.inputs.options;
   Strokes strokes = measure_strokes(image, options, 1, run);
   if (strokes.ink.pixels > 0) stages.look = look_of(strokes.ink, pen_width(strokes, options));
-  if (enlargement_for(stages.look, options.preset) > 1)
+  if (enlargement_for(stages.look, options) > 1)
     strokes = run("enlarged ink", 0.07, [&] { return measure_enlarged(image, options, control); });
   stages.fills = std::move(strokes.fills);
   stages.ink = std::move(strokes.ink);

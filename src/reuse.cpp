@@ -32,7 +32,7 @@ bool same_ground(const Stages& before, double spacing) {
 }  // namespace
 
 bool is_ink_of(const Stages& before, const Inputs& now) {
-  return same_ink(before.inputs, now) && enlargement_for(before.look, now.options.preset) == before.ink.enlargement;
+  return same_ink(before.inputs, now) && enlargement_for(before.look, now.options) == before.ink.enlargement;
 }
 
 Stage first_stage_changed(const Stages& before, const Inputs& now) {

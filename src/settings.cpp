@@ -12,9 +12,10 @@ Preset preset_of(const Look& look, Preset given) {
 
 }  // namespace
 
-// Strokes of a rough drawing are wider than its pen.
-int enlargement_for(const Look& look, Preset given) {
-  return look.fine && preset_of(look, given) == Preset::clean ? kEnlargement : 1;
+// Strokes of a rough drawing are wider than its pen, and slits that are joined need not be resolved.
+int enlargement_for(const Look& look, const Options& given) {
+  const bool fine = look.fine_pen || (look.fine_paper && given.bundles != BundleMode::join);
+  return fine && preset_of(look, given.preset) == Preset::clean ? kEnlargement : 1;
 }
 
 void settle(Inputs& inputs, const Stages& measured) {

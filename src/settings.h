@@ -8,8 +8,8 @@
 
 namespace inkgrid {
 
-// By how much a picture is enlarged; `given` as in Options.
-int enlargement_for(const Look& look, Preset given);
+// By how much a picture is enlarged.
+int enlargement_for(const Look& look, const Options& given);
 
 // Writes Inputs::settled: preset, reach, spacing, gap and what becomes of bundles.  `measured`: stages that hold the ink, which
 // may be those of an earlier run.

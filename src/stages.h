@@ -27,7 +27,7 @@ struct Inputs {
 // Of a picture as it came, before it is enlarged.
 struct Look {
   Preset preset = Preset::clean;
-  bool fine = false;  // of a fine pen, or of fine slits (ink/enlarge.h)
+  bool fine_pen = false, fine_paper = false;  // ink/enlarge.h
 };
 
 struct SolvedPart;  // scribbles/parts.h

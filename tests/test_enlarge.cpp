@@ -8,6 +8,7 @@
 #include "chain_checks.h"
 #include "drawings.h"
 #include "ink/enlarge.h"
+#include "settings.h"
 
 namespace inkgrid {
 namespace {
@@ -93,18 +94,29 @@ Ink two_strokes(double paper) {
 
 TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
   const Ink small = two_strokes(20);
-  EXPECT_TRUE(is_fine(1, small));
-  EXPECT_TRUE(is_fine(2.5, small));
-  EXPECT_FALSE(is_fine(4, small));
-  EXPECT_FALSE(is_fine(0, small)) << "there is no stroke";
+  EXPECT_TRUE(has_fine_pen(1, small));
+  EXPECT_TRUE(has_fine_pen(2.5, small));
+  EXPECT_FALSE(has_fine_pen(4, small));
+  EXPECT_FALSE(has_fine_pen(0, small)) << "there is no stroke";
   Ink huge;
   huge.mask = Raster<std::uint8_t>(20000, 1000);
-  EXPECT_FALSE(is_fine(2, huge));
+  huge.pixels = 1;
+  EXPECT_FALSE(has_fine_pen(2, huge));
+  EXPECT_FALSE(has_fine_paper(huge));
 }
 
 TEST(Enlarge, PicturesOfFineSlits) {
-  for (const double paper : {1.0, 2.0, 3.0}) EXPECT_TRUE(is_fine(6, two_strokes(paper))) << paper;
-  for (const double paper : {5.0, 6.0, 12.0}) EXPECT_FALSE(is_fine(6, two_strokes(paper))) << paper;
+  for (const double paper : {1.0, 2.0, 3.0}) EXPECT_TRUE(has_fine_paper(two_strokes(paper))) << paper;
+  for (const double paper : {5.0, 6.0, 12.0}) EXPECT_FALSE(has_fine_paper(two_strokes(paper))) << paper;
+}
+
+TEST(Enlarge, NotForSlitsThatAreToBeJoined) {
+  Options options;
+  EXPECT_EQ(enlargement_for({Preset::clean, false, true}, options), 2);
+  EXPECT_EQ(enlargement_for({Preset::rough, true, true}, options), 1);
+  options.bundles = BundleMode::join;
+  EXPECT_EQ(enlargement_for({Preset::clean, false, true}, options), 1);
+  EXPECT_EQ(enlargement_for({Preset::clean, true, true}, options), 2);
 }
 
 }  // namespace

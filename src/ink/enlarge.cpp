@@ -63,18 +63,22 @@ float interpolated(const Place& place, const Value& value) {
   return sum;
 }
 
-// In slits, corners and specks, over the ink.
-double fine_paper(const Ink& ink) {
-  const auto closed = closed_ink(ink, kFinePaper / 2);
-  const long all = std::count(closed.data.begin(), closed.data.end(), std::uint8_t{1});
-  return static_cast<double>(all - ink.pixels) / static_cast<double>(ink.pixels);
+bool may_be_enlarged(const Ink& ink) {
+  return ink.pixels > 0 && static_cast<double>(ink.width()) * ink.height() <= kMostPixels;
 }
 
 }  // namespace
 
-bool is_fine(double pen_width, const Ink& ink) {
-  if (pen_width <= 0 || static_cast<double>(ink.width()) * ink.height() > kMostPixels) return false;
-  return pen_width < kFinestPen || fine_paper(ink) > kMuchFinePaper;
+bool has_fine_pen(double pen_width, const Ink& ink) {
+  return may_be_enlarged(ink) && pen_width > 0 && pen_width < kFinestPen;
+}
+
+// Slits, acute corners and specks.
+bool has_fine_paper(const Ink& ink) {
+  if (!may_be_enlarged(ink)) return false;
+  const auto closed = closed_ink(ink, kFinePaper / 2);
+  const auto all = std::count(closed.data.begin(), closed.data.end(), std::uint8_t{1});
+  return static_cast<double>(all - ink.pixels) > kMuchFinePaper * static_cast<double>(ink.pixels);
 }
 
 Image enlarged(const Image& image) {

@@ -10,9 +10,11 @@
 
 namespace inkgrid {
 
-// Whether strokes of this width (px), or the paper between them, are too slim for what is measured in whole pixels, in a picture
-// that may be enlarged.
-bool is_fine(double pen_width, const Ink& ink);
+// Whether strokes of this width (px) are too slim for what is measured in whole pixels, in a picture that may be enlarged.
+bool has_fine_pen(double pen_width, const Ink& ink);
+
+// Whether much of the paper between strokes is, in such a picture.
+bool has_fine_paper(const Ink& ink);
 
 // How many times a picture of a fine pen is enlarged each way.
 constexpr int kEnlargement = 2;
