@@ -56,8 +56,9 @@ struct Place {
   double t;
 };
 
+// A step that went astray leaves feet that are no numbers.
 Place place_of(const SmoothSpline& spline, double foot) {
-  const int k = std::clamp(static_cast<int>(foot), 0, spline.segments() - 1);
+  const int last = spline.segments() - 1, k = foot > 0 ? static_cast<int>(std::min(foot, static_cast<double>(last))) : 0;
   return {k, foot - k};
 }
 
