@@ -296,7 +296,7 @@ void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics,
                    std::vector<double>& worst) {
   const int n = spline.segments();
   if (spline.closed && to < from - 0.5 * n) to += n;
-  if (to <= from) return;
+  if (!(to > from)) return;  // or a foot is no number
   const int k = std::clamp(static_cast<int>(from), 0, n - 1);
   const double length = (to - from) * approximate_length(cubics[at(k)]), edge = norm(b - a);
   const int pieces = 1 + static_cast<int>(std::clamp(length / std::max(edge, 1e-9), 1.0, 20.0));
