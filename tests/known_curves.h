@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "base/cubic.h"
@@ -10,6 +12,12 @@
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid::testing {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+inline Vec2 polar(double radius, double angle) {
+  return radius * Vec2{std::cos(angle), std::sin(angle)};
+}
 
 using Line = std::vector<Vec2>;
 
@@ -61,6 +69,19 @@ inline Image painted(const std::vector<Line>& lines, double pen, int width, int 
   Image image = blank(width, height);
   for (const Line& line : lines) paint(image, line, pen, grey);
   return image;
+}
+
+inline Drawing traced(const Image& image, Preset preset = Preset::automatic) {
+  Options options;
+  options.preset = preset;
+  return vectorize(image, options).drawing;
+}
+
+inline int free_ends(const Drawing& drawing) {
+  int ends = 0;
+  for (const Curve& curve : drawing.curves)
+    if (!curve.closed) ends += (curve.start_junction < 0) + (curve.end_junction < 0);
+  return ends;
 }
 
 }  // namespace inkgrid::testing

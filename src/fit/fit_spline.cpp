@@ -299,7 +299,8 @@ void measure_piece(const SmoothSpline& spline, const std::vector<Cubic>& cubics,
   if (!(to > from)) return;  // or a foot is no number
   const int k = std::clamp(static_cast<int>(from), 0, n - 1);
   const double length = (to - from) * approximate_length(cubics[at(k)]), edge = norm(b - a);
-  const int pieces = 1 + static_cast<int>(std::clamp(length / std::max(edge, 1e-9), 1.0, 20.0));
+  const int pieces =
+      1 + static_cast<int>(std::fmax(1.0, std::fmin(20.0, length / std::max(edge, 1e-9))));  // of a length that is no number, too
   for (int i = 1; i < pieces; ++i) {
     const double foot = from + (to - from) * i / pieces;
     const auto [segment, t] = place_of(spline, foot >= n ? foot - n : foot);
