@@ -29,6 +29,11 @@ RidgeChain ridge_along(const std::vector<Vec2>& points, int start, int end, doub
 
 constexpr Vec2 kTip{100, 100};
 
+// Of strokes that were not slimmed.
+CornerInk plain(const Raster<std::uint8_t>& ink) {
+  return {ink, ink};
+}
+
 Raster<std::uint8_t> all_ink() {
   return Raster<std::uint8_t>(200, 200, 1);
 }
@@ -54,7 +59,7 @@ double distance_to_tip(const Chain& chain) {
 
 TEST(Corners, TheTipOfAnAcuteCornerIsNoBranch) {
   for (const double degrees : {20.0, 30.0, 45.0, 60.0}) {
-    const auto mended = open_corners(cut_corner(degrees, 10), {kTip}, all_ink(), {25, 3.6});
+    const auto mended = open_corners(cut_corner(degrees, 10), {kTip}, plain(all_ink()), {25, 3.6});
     ASSERT_EQ(mended.size(), 1u) << degrees;
     EXPECT_EQ(mended[0].chain.start_junction, -1);
     EXPECT_EQ(mended[0].chain.end_junction, -1);
@@ -65,7 +70,7 @@ TEST(Corners, TheTipOfAnAcuteCornerIsNoBranch) {
 }
 
 TEST(Corners, ALongTipIsABranch) {
-  EXPECT_EQ(open_corners(cut_corner(30, 10), {kTip}, all_ink(), {8, 3.6}).size(), 3u);
+  EXPECT_EQ(open_corners(cut_corner(30, 10), {kTip}, plain(all_ink()), {8, 3.6}).size(), 3u);
 }
 
 TEST(Corners, ATeeKeepsItsShortArm) {
@@ -73,13 +78,13 @@ TEST(Corners, ATeeKeepsItsShortArm) {
     return std::vector{ridge_along({{100, 160}, {100, 100}}, -1, 0, 0, 3), ridge_along({{140, 100}, {100, 100}}, -1, 0, 0, 3),
                        ridge_along({{100, 100}, {97, 100}}, 0, -1, 3, 3)};
   };
-  EXPECT_EQ(open_corners(tee(), {kTip}, all_ink(), {15, 3.6}).size(), 3u);
+  EXPECT_EQ(open_corners(tee(), {kTip}, plain(all_ink()), {15, 3.6}).size(), 3u);
 }
 
 TEST(Corners, AJunctionOfFourStays) {
   auto ridges = cut_corner(30, 10);
   ridges.push_back(ridge_along({{160, 100}, {91, 102}}, -1, 0, 0, 3));
-  EXPECT_EQ(open_corners(ridges, {kTip}, all_ink(), {15, 3.6}).size(), 4u);
+  EXPECT_EQ(open_corners(ridges, {kTip}, plain(all_ink()), {15, 3.6}).size(), 4u);
 }
 
 // One chain that cuts the corner.
@@ -94,7 +99,7 @@ RidgeChain rounded_corner(double degrees, double cut) {
 
 TEST(Corners, AChainThatCutsACornerGoesToItsTip) {
   for (const double degrees : {30.0, 60.0, 90.0, 130.0}) {
-    const auto sharp = open_corners({rounded_corner(degrees, 10)}, {}, all_ink(), {20, 3.6});
+    const auto sharp = open_corners({rounded_corner(degrees, 10)}, {}, plain(all_ink()), {20, 3.6});
     ASSERT_EQ(sharp.size(), 1u);
     EXPECT_LT(distance_to_tip(sharp[0].chain), 0.5) << degrees;
     EXPECT_NEAR(lengths_along(sharp[0].chain.points).back(), 160, 1) << degrees;
@@ -106,13 +111,13 @@ TEST(Corners, WithoutInkAtTheTipNothingIsSharpened) {
   for (int y = 95; y < 106; ++y)
     for (int x = 95; x < 106; ++x) ink(x, y) = 0;
   const RidgeChain before = rounded_corner(60, 10);
-  EXPECT_TRUE(open_corners({before}, {}, ink, {20, 3.6})[0].chain.points == before.chain.points);
+  EXPECT_TRUE(open_corners({before}, {}, plain(ink), {20, 3.6})[0].chain.points == before.chain.points);
 }
 
 TEST(Corners, AConfirmedBendStays) {
   RidgeChain bend = rounded_corner(60, 10);
   for (auto& section : bend.sections) section.weight = 1;
-  EXPECT_TRUE(open_corners({bend}, {}, all_ink(), {20, 3.6})[0].chain.points == bend.chain.points);
+  EXPECT_TRUE(open_corners({bend}, {}, plain(all_ink()), {20, 3.6})[0].chain.points == bend.chain.points);
 }
 
 // The ink of two arms, and of a stem of this length.
@@ -134,7 +139,7 @@ std::vector<RidgeChain> open_arms(double degrees) {
 
 TEST(Corners, OpenArmsMeetInASharpCorner) {
   for (const double degrees : {20.0, 40.0, 70.0}) {
-    const auto joined = join_arms(open_arms(degrees), {}, fork_ink(degrees, 0), {40, 3.6});
+    const auto joined = join_arms(open_arms(degrees), {}, plain(fork_ink(degrees, 0)), {40, 3.6});
     ASSERT_EQ(joined.ridges.size(), 1u) << degrees;
     EXPECT_LT(distance_to_tip(joined.ridges[0].chain), 0.5) << degrees;
     EXPECT_TRUE(joined.junctions.empty());
@@ -146,7 +151,7 @@ TEST(Corners, ArmsAndTheStemThatPassedTheirForkShareAJunction) {
     auto ridges = open_arms(degrees);
     ridges.push_back(ridge_along({kTip + Vec2{60, 0}, kTip - Vec2{12, 0}}, -1, -1, 0, 12));
     ridges.back().chain.confirmed = 60;
-    const auto joined = join_arms(ridges, {}, fork_ink(degrees, 60), {40, 3.6});
+    const auto joined = join_arms(ridges, {}, plain(fork_ink(degrees, 60)), {40, 3.6});
     ASSERT_EQ(joined.junctions.size(), 1u) << degrees;
     EXPECT_LT(norm(joined.junctions[0] - kTip), 0.5) << degrees;
     ASSERT_EQ(joined.ridges.size(), 3u);
@@ -162,7 +167,94 @@ TEST(Corners, ArmsOnALineThatGoesOnStayApart) {
   auto ridges = open_arms(70);
   ridges.push_back(ridge_along({{100, 10}, {100, 190}}, -1, -1, 0, 0));
   ridges.back().chain.confirmed = 180;
-  EXPECT_EQ(join_arms(ridges, {}, all_ink(), {40, 3.6}).ridges.size(), 3u);
+  EXPECT_EQ(join_arms(ridges, {}, plain(all_ink()), {40, 3.6}).ridges.size(), 3u);
+}
+
+// The grid takes a blot for the end of one arm, and of the other nothing but what paper shows.
+std::vector<RidgeChain> arm_through_blot(double degrees, double from) {
+  const double half = 0.5 * degrees;
+  RidgeChain through = ridge_along({side(half, 90), side(half, from), kTip - Vec2{0.6 * from, 0}, kTip}, -1, -1, 0, 0);
+  const auto lengths = lengths_along(through.chain.points);
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    const double to_tip = lengths.back() - lengths[k];
+    if (to_tip < from && !(to_tip > 3 && to_tip < from - 3)) through.sections[k].weight = 0;
+  }
+  RidgeChain other = ridge_along({side(-half, 90), side(-half, from)}, -1, -1, 0, 0);
+  through.chain.confirmed = other.chain.confirmed = 60;
+  return {through, other};
+}
+
+TEST(Corners, AnArmThatGoesOnThroughTheBlotOfAnAcuteCornerIsLedByItsSide) {
+  for (const double degrees : {12.0, 20.0, 30.0}) {
+    const Raster<std::uint8_t> ink = fork_ink(degrees, 0);
+    const double blot = 1.1 * kWidth / (2 * std::sin(degrees * std::numbers::pi / 360));
+    const auto joined = join_arms(arm_through_blot(degrees, blot), {}, plain(ink), {44, 3.6, 16, kWidth});
+    ASSERT_EQ(joined.ridges.size(), 1u) << degrees;
+    EXPECT_LT(distance_to_tip(joined.ridges[0].chain), 1) << degrees;
+    if (degrees > 12) continue;  // the blot is short enough for lines beyond it to be seen
+    EXPECT_EQ(join_arms(arm_through_blot(degrees, blot), {}, plain(ink), {44, 3.6, 0, kWidth}).ridges.size(), 2u)
+        << "where acute corners do not count";
+  }
+}
+
+TEST(Corners, WhatHangsTogetherInABlotGoesWithIt) {
+  constexpr double kDegrees = 20;
+  const Raster<std::uint8_t> ink = fork_ink(kDegrees, 0);
+  const Vec2 centre = kTip - Vec2{9, 0};
+  auto ridges = open_arms(kDegrees);
+  ridges.push_back(ridge_along({kTip - Vec2{15, 0}, centre}, -1, 0, 10, 10));
+  ridges.push_back(ridge_along({kTip - Vec2{13, 1.5}, centre}, -1, 0, 10, 10));
+  ridges.push_back(ridge_along({centre, kTip}, 0, -1, 10, 10));
+  EXPECT_EQ(join_arms(ridges, {centre}, plain(ink), {40, 3.6, 16, kWidth}).ridges.size(), 1u);
+  ridges.push_back(ridge_along({centre, centre - Vec2{0, 40}}, 0, -1, 0, 0));
+  EXPECT_EQ(join_arms(ridges, {centre}, plain(ink), {40, 3.6, 16, kWidth}).ridges.size(), 5u) << "one of them leads out";
+}
+
+// Slimming hollows blots out.
+TEST(Corners, ArmsMeetOverInkThatSlimmingTook) {
+  const Raster<std::uint8_t> drawn = fork_ink(20, 0);
+  Raster<std::uint8_t> slim = drawn;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 70; x < 92; ++x)
+      if (std::abs(y + 0.5 - kTip.y) > 0.5) slim(x, y) = 0;
+  EXPECT_EQ(join_arms(open_arms(20), {}, {slim, drawn}, {40, 3.6}).ridges.size(), 1u);
+  EXPECT_EQ(join_arms(open_arms(20), {}, {slim, slim}, {40, 3.6}).ridges.size(), 2u);
+}
+
+Arrival arrival_along(Vec2 point, Vec2 direction) {
+  return {true, point, unit(direction), 0, {}};
+}
+
+TEST(Tips, RoundEndsSayWhereTheyAreAndPointedOnesDoNot) {
+  const Arrival a = arrival_along(side(12, 40), kTip - side(12, 40)), b = arrival_along(side(-12, 40), kTip - side(-12, 40));
+  const CornerOptions options{60, 3.6, 16, kWidth};
+  const Raster<std::uint8_t> round = fork_ink(24, 0), beyond = fork_ink(24, 3);
+  EXPECT_LT(norm(settled_tip(kTip, a, b, kWidth, plain(round), options) - kTip), 0.5);
+  EXPECT_LT(norm(settled_tip(kTip, a, b, kWidth, plain(beyond), options) - (kTip + Vec2{3, 0})), 0.5);
+  Raster<std::uint8_t> mitre(200, 200, 0);
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 120; ++x) mitre(x, y) = std::abs(y + 0.5 - kTip.y) < (110 - x - 0.5) * std::tan(0.21);
+  EXPECT_TRUE(settled_tip(kTip, a, b, kWidth, plain(mitre), options) == kTip);
+}
+
+TEST(Tips, BentSidesMeetWhereTheirCurvesDo) {
+  constexpr double kRadius = 250;
+  for (const double degrees : {15.0, 30.0, 50.0}) {
+    std::vector<Arrival> sides;
+    for (const double sign : {-1.0, 1.0}) {
+      const double start = sign * 0.5 * degrees * std::numbers::pi / 180;
+      std::vector<Vec2> arc;
+      for (double t = 0.7; t >= 0; t -= 0.005) {
+        const double turn = start + sign * t;
+        arc.push_back(kTip - kRadius * sign * Vec2{std::sin(turn) - std::sin(start), std::cos(start) - std::cos(turn)});
+      }
+      sides.push_back(arrival_at(ridge_along(arc, -1, -1, 0, 25), false));
+    }
+    const auto bent = bent_meeting_of(sides[0], sides[1], 80), straight = meeting_of(sides[0], sides[1], 0);
+    ASSERT_TRUE(bent && straight) << degrees;
+    EXPECT_LT(norm(*bent - kTip), 0.8) << degrees;
+    EXPECT_GT(norm(*straight - kTip), 3 * norm(*bent - kTip)) << "of lines";
+  }
 }
 
 TEST(Arrival, FollowsArcsAndLines) {
@@ -197,7 +289,7 @@ TEST(Corners, AnArcWhoseMiddleIsNotConfirmedStaysRound) {
   RidgeChain ridge = ridge_along(bow, -1, -1, 0, 0);
   const std::size_t middle = ridge.sections.size() / 2;
   for (std::size_t k = middle - 11; k < middle + 11; ++k) ridge.sections[k] = {};
-  const auto found = open_corners({ridge}, {}, ink, {25, 3.6});
+  const auto found = open_corners({ridge}, {}, plain(ink), {25, 3.6});
   for (const Vec2 p : found[0].chain.points) EXPECT_LT(std::abs(norm(p - centre) - kRadius), 0.5);
 }
 

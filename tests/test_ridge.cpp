@@ -209,5 +209,24 @@ TEST(Ridge, AThreadThatSlimmingLeftOfABlotTellsNothing) {
   EXPECT_LT(confirmed_in_blot(options), all / 2);
 }
 
+// Both sides lie in one blot, whose middle is neither's.
+TEST(Ridge, SidesOfAnAcuteCornerHaveInkOfTheirOwn) {
+  const Vec2 tip{30, 100};
+  const Line corner{tip + Vec2{150, -150 * std::tan(0.12)}, tip, tip + Vec2{150, 150 * std::tan(0.12)}};
+  Image image = blank(200, 200);
+  paint(image, corner, kWidth);
+  RidgeOptions options = kOptions;
+  const auto farthest = [&] {
+    double most = 0;
+    const auto ridges = follow_ridges({chain_along(corner, kWidth)}, ink_of(image), options);
+    for (const Vec2 p : ridges[0].chain.points)
+      if (norm(p - tip) > kWidth) most = std::max(most, distance_to_line(p, corner));
+    return most;
+  };
+  EXPECT_GT(farthest(), 0.15 * kWidth);
+  options.corners = true;
+  EXPECT_LT(farthest(), 0.1 * kWidth);
+}
+
 }  // namespace
 }  // namespace inkgrid

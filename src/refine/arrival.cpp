@@ -18,6 +18,7 @@ constexpr double kStraight = 0.02;    // strokes: lesser sagittas are straight
 constexpr double kNoise = 0.2;        // px, of points from a parabola
 constexpr double kUnsure = 6;         // strokes that may have paper on one side only, as beside the other arm of a fork
 constexpr double kStraightOn = 0.94;  // cosine of 20 degrees: how straight such a part is
+constexpr double kMarch = 0.5;        // px
 constexpr double kParallel = 0.05;    // sine
 
 struct Sample {
@@ -101,8 +102,27 @@ class View {
   }
 
   Arrival line_from(int last) const {
+    Arrival arrival = line_at(last);
+    arrival.bend = bend_at(last);
+    return arrival;
+  }
+
+  // Told of as many strokes as a straight line.
+  std::optional<Bend> bend_at(int last) const {
+    const double span = kLongStraight * width_;
+    const int bent = within(last, kBent * width_), far = within(last, span);
+    const Vec2 axis = unit(point(last) - point(far));
+    const auto samples = samples_of(ridge_, bent, far, step_, point(last), axis);
+    if (samples.size() < 5 || norm(point(far) - point(last)) < kShrink * span) return std::nullopt;
+    const auto curve = fitted_parabola(samples, false);
+    if (spread_about(samples, curve) >= kStaircase) return std::nullopt;
+    const Arrival tangent = led_by(curve, axis, {true, point(last), {}, 0, {}});
+    return Bend{tangent.point, tangent.direction, 2 * curve[2] / std::pow(1 + curve[1] * curve[1], 1.5)};
+  }
+
+  Arrival line_at(int last) const {
     const int bent = within(last, kBent * width_), from = inside(bent + 2 * step_) ? bent : last;
-    Arrival arrival{true, point(last), {}, std::abs(last - first_)};
+    Arrival arrival{true, point(last), {}, std::abs(last - first_), {}};
     if (follow_straight(from, last, arrival)) return arrival;
     for (double span = kLongest * width_;; span *= kShrink) {
       const bool shortest = span <= width_;
@@ -168,6 +188,28 @@ std::optional<Vec2> meeting_of(const Arrival& a, const Arrival& b, double passed
   const double ahead = cross(b.point - a.point, b.direction) / sine, ahead_b = cross(b.point - a.point, a.direction) / sine;
   if (std::min(ahead, ahead_b) < -passed) return std::nullopt;
   return a.point + ahead * a.direction;
+}
+
+std::optional<Vec2> bent_meeting_of(const Arrival& a, const Arrival& b, double longest) {
+  if (!a.known || !b.known) return std::nullopt;
+  const Bend from = a.bend.value_or(Bend{a.point, a.direction, 0}), to = b.bend.value_or(Bend{b.point, b.direction, 0});
+  const auto at_length = [&](double t) {
+    return from.point + t * from.direction + 0.5 * from.curvature * t * t * quarter_turn(from.direction);
+  };
+  const auto beside = [&](Vec2 p) {
+    const double ahead = dot(p - to.point, to.direction);
+    return dot(p - to.point, quarter_turn(to.direction)) - 0.5 * to.curvature * ahead * ahead;
+  };
+  double before = beside(from.point);
+  for (double t = kMarch; t < longest; t += kMarch) {
+    const double here = beside(at_length(t));
+    if ((here < 0) != (before < 0)) {
+      const Vec2 meeting = at_length(t - kMarch * here / (here - before));
+      return dot(meeting - to.point, to.direction) > 0 ? std::optional(meeting) : std::nullopt;
+    }
+    before = here;
+  }
+  return std::nullopt;
 }
 
 }  // namespace inkgrid

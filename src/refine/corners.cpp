@@ -8,61 +8,25 @@
 #include "base/sample.h"
 #include "ink/ink.h"
 #include "refine/arrival.h"
+#include "refine/tips.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kGoesOn = 0.4;      // cosine of the angle between a side and the tip: more is a branch
-constexpr double kSharp = 0.87;      // cosine of the least turn of a corner, 30 degrees
-constexpr double kArms = 0.17;       // cosine of the widest angle between arms that share a blot, 80 degrees
-constexpr double kSideError = 0.06;  // strokes by which the line of a side may miss
-constexpr double kMitre = 2;         // strokes
-constexpr double kInside = 0.4;      // strokes that the ink goes on behind a corner that is all but straight
-constexpr double kIsolated = 0.5;    // strokes: confirmed parts shorter than this between others that are not are none
-constexpr double kPaper = 1;         // px that rough rims may leave on the way to a tip
+constexpr double kGoesOn = 0.4;    // cosine of the angle between a side and the tip: more is a branch
+constexpr double kArms = 0.17;     // cosine of the widest angle between arms that share a blot, 80 degrees
+constexpr double kInside = 0.4;    // strokes that the ink goes on behind a corner that is all but straight
+constexpr double kIsolated = 0.5;  // strokes: confirmed parts shorter than this between others that are not are none
+constexpr double kPaper = 1;       // px that rough rims may leave on the way to a tip
 
 struct End {
   int chain;
   bool at_start;
 };
 
-Vec2 tip_of(const Chain& chain, bool at_start) {
-  return at_start ? chain.points.front() : chain.points.back();
-}
-
-// Of half the angle between two sides.
-double half_sine(const Arrival& a, const Arrival& b) {
-  return std::sqrt(std::max(1e-3, 0.5 * (1 - dot(a.direction, b.direction))));
-}
-
-// How far beside the true tip two lines may meet.
-double miss_of(const Arrival& a, const Arrival& b, double width, const CornerOptions& options) {
-  return options.miss + kSideError * width / half_sine(a, b);
-}
-
-// Whether the ink ends behind the tip: at a round cap, or at a mitre.
-bool ends_behind(const Raster<std::uint8_t>& ink, Vec2 tip, const Arrival& a, const Arrival& b, double width,
-                 const CornerOptions& options) {
-  const Vec2 outward = unit(a.direction + b.direction);
-  const double farthest = std::min(kMitre, 0.5 / half_sine(a, b)) * width + miss_of(a, b, width, options);
-  return !over_ink(ink, tip, tip + farthest * outward, kPaper);
-}
-
-// Where both sides meet in a sharp turn of the ink.
-std::optional<Vec2> corner_of(const Arrival& a, const Arrival& b, double width, const Raster<std::uint8_t>& ink,
-                              const CornerOptions& options) {
-  const auto meeting = meeting_of(a, b, 0.5 * width);
-  if (!meeting || dot(a.direction, b.direction) < -kSharp) return std::nullopt;
-  if (std::max(norm(*meeting - a.point), norm(*meeting - b.point)) > options.longest) return std::nullopt;
-  if (!nearest(ink, *meeting, std::uint8_t{0})) return std::nullopt;
-  if (!over_ink(ink, a.point, *meeting, kPaper) || !over_ink(ink, b.point, *meeting, kPaper)) return std::nullopt;
-  return meeting;
-}
-
 class Corners {
  public:
-  Corners(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
-          const CornerOptions& options)
+  Corners(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const CornerInk& ink, const CornerOptions& options)
       : ridges_(std::move(ridges)), junctions_(std::move(junctions)), ink_(ink), options_(options), ends_(junctions_.size()) {}
 
   std::vector<RidgeChain> open() {
@@ -87,6 +51,7 @@ class Corners {
 
   RidgeChain& ridge(int c) { return ridges_[at(c)]; }
   const Chain& chain(int c) const { return ridges_[at(c)].chain; }
+  Vec2 tip_of(End e) const { return e.at_start ? chain(e.chain).points.front() : chain(e.chain).points.back(); }
 
   void collect_ends() {
     for (auto& at : ends_) at.clear();
@@ -104,9 +69,9 @@ class Corners {
     for (const End& e : at)
       if (e.chain != stub.chain) sides.push_back(arrival_at(ridge(e.chain), e.at_start));
     if (sides.size() != 2) return false;
-    const auto meeting = meeting_of(sides[0], sides[1], 0);
+    const auto meeting = meeting_of_sides(sides[0], sides[1], 0, options_);
     if (!meeting) return false;
-    const Vec2 outermost = tip_of(tip, !stub.at_start), outward = unit(outermost - tip_of(tip, stub.at_start));
+    const Vec2 outermost = tip_of({stub.chain, !stub.at_start}), outward = unit(outermost - tip_of(stub));
     const auto goes_on = [&](const Arrival& side) { return dot(side.direction, outward) > kGoesOn; };
     return norm(*meeting - outermost) < miss_of(sides[0], sides[1], tip.width, options_) && goes_on(sides[0]) &&
            goes_on(sides[1]);
@@ -177,12 +142,14 @@ class Corners {
   };
 
   void join_free_ends(bool at_ends_of_ink) {
-    const auto free = free_ends();
+    std::vector<Arm> free;
+    for (const End& end : free_ends()) free.push_back(arm_at(end));
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < free.size(); ++i)
       for (std::size_t j = i + 1; j < free.size(); ++j) {
-        const Vec2 a = tip_of(chain(free[i].chain), free[i].at_start), b = tip_of(chain(free[j].chain), free[j].at_start);
-        if (norm(b - a) < options_.longest && shared_tip(free[i], free[j], at_ends_of_ink)) pairs.push_back({a, b, norm(b - a)});
+        const Vec2 a = tip_of(free[i].end), b = tip_of(free[j].end);
+        if (norm(b - a) < options_.longest + options_.hidden && shared_tip(free[i], free[j], at_ends_of_ink))
+          pairs.push_back({a, b, norm(b - a)});
       }
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& s, const Pair& t) { return s.distance < t.distance; });
     for (const Pair& pair : pairs) {
@@ -195,29 +162,73 @@ class Corners {
   std::optional<End> free_end_at(Vec2 tip) {
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
       for (const bool at_start : {true, false})
-        if (is_free({c, at_start}) && tip_of(chain(c), at_start) == tip) return End{c, at_start};
+        if (is_free({c, at_start}) && tip_of({c, at_start}) == tip) return End{c, at_start};
     return std::nullopt;
   }
 
   double width_of(const End& a, const End& b) const { return std::max(chain(a.chain).width, chain(b.chain).width); }
 
-  std::optional<Vec2> shared_tip(const End& a, const End& b, bool at_end_of_ink) {
-    if (a.chain == b.chain && lengths_along(chain(a.chain).points).back() < 2 * options_.longest) return std::nullopt;
-    const double width = width_of(a, b);
-    const Arrival from_a = arrival_at(ridge(a.chain), a.at_start), from_b = arrival_at(ridge(b.chain), b.at_start);
-    const auto tip = corner_of(from_a, from_b, width, ink_, options_);
-    if (!tip) return std::nullopt;
-    const bool fits = at_end_of_ink ? ends_behind(ink_, *tip, from_a, from_b, width, options_)
-                                    : dot(from_a.direction, from_b.direction) > kArms && !passed_by(*tip, width);
-    return fits ? tip : std::nullopt;
+  // A free end, and the lines along which its chain arrives there, and where it led into the blot of an acute corner.
+  struct Arm {
+    End end;
+    Arrival line, behind_stem;
+  };
+
+  Arm arm_at(End end) {
+    return {end, arrival_at(ridge(end.chain), end.at_start), options_.hidden > 0 ? arm_behind_stem(end) : Arrival{}};
+  }
+
+  struct SharedTip {
+    Vec2 point;
+    Arrival a, b;
+  };
+
+  std::optional<SharedTip> shared_tip(const Arm& a, const Arm& b, bool at_end_of_ink) {
+    if (a.end.chain == b.end.chain && lengths_along(chain(a.end.chain).points).back() < 2 * options_.longest) return std::nullopt;
+    const double width = width_of(a.end, b.end);
+    if (const auto tip = corner_of(a.line, b.line, width, ink_.drawn, options_, options_.longest)) {
+      const bool fits = at_end_of_ink ? ends_behind(*tip, a.line, b.line, width, ink_.slim, options_)
+                                      : dot(a.line.direction, b.line.direction) > kArms && !passed_by(*tip, width);
+      if (fits) return SharedTip{settled_tip(*tip, a.line, b.line, width, ink_, options_), a.line, b.line};
+    }
+    return acute_tip(a, b, width);
+  }
+
+  // The same where a chain may lead into the blot, which hides more than its arms do.
+  std::optional<SharedTip> acute_tip(const Arm& a, const Arm& b, double width) {
+    for (const auto& [one, other] :
+         {std::pair{a.behind_stem, b.line}, std::pair{a.line, b.behind_stem}, std::pair{a.behind_stem, b.behind_stem}}) {
+      if (!one.known || !other.known || !is_acute(one, other)) continue;
+      const auto tip = corner_of(one, other, width, ink_.drawn, options_, options_.longest + options_.hidden);
+      if (tip && ends_behind(*tip, one, other, width, ink_.slim, options_))
+        return SharedTip{settled_tip(*tip, one, other, width, ink_, options_), one, other};
+    }
+    return std::nullopt;
+  }
+
+  // Of a chain that goes on through the blot of an acute corner to its tip: the line of the side that it came from.
+  Arrival arm_behind_stem(End e) {
+    const RidgeChain& arm = ridge(e.chain);
+    const int size = static_cast<int>(arm.chain.points.size());
+    const auto place = [&](int k) { return e.at_start ? k : size - 1 - k; };
+    const auto point = [&](int k) { return arm.chain.points[at(place(k))]; };
+    int stem = 0;
+    double length = 0;
+    for (int k = 0; length < options_.longest + options_.hidden; ++k) {
+      if (k + 1 == size) return {};
+      if (arm.sections[at(place(k))].weight < 1) stem = k + 1;
+      length += norm(point(k + 1) - point(k));
+    }
+    Arrival arrival = arrival_from(arm, place(stem), e.at_start);
+    arrival.last += stem;
+    return arrival;
   }
 
   // Without what the ink does not confirm, and straight on to the tip.
-  void lead_to(End e, Vec2 tip) {
+  void lead_to(End e, const Arrival& arrival, Vec2 tip) {
     RidgeChain& arm = ridge(e.chain);
     if (e.at_start) reverse(arm);
-    const Arrival arrival = arrival_at(arm, false);
-    const auto kept = arm.chain.points.size() - static_cast<std::size_t>(arrival.known ? arrival.last : 0);
+    const auto kept = arm.chain.points.size() - static_cast<std::size_t>(arrival.last);
     arm.chain.points.resize(kept);
     arm.chain.points.back() = arrival.point;
     const auto way = resampled({arrival.point, tip}, 1);
@@ -228,31 +239,53 @@ class Corners {
   }
 
   void join_at_tip(End a, End b, bool at_end_of_ink) {
-    const auto tip = shared_tip(a, b, at_end_of_ink);
-    if (!tip) return;
-    const bool corner = ends_behind(ink_, *tip, arrival_at(ridge(a.chain), a.at_start), arrival_at(ridge(b.chain), b.at_start),
-                                    width_of(a, b), options_);
+    const auto shared = shared_tip(arm_at(a), arm_at(b), at_end_of_ink);
+    if (!shared) return;
     const double width = width_of(a, b);
-    lead_to(a, *tip);
-    lead_to(b, *tip);
-    if (corner) drop_between(a, b, *tip, width);
-    const auto stem = corner ? std::nullopt : stem_at(a, b, *tip, width);
+    const Vec2 tip = shared->point;
+    const bool corner = ends_behind(tip, shared->a, shared->b, width, ink_.slim, options_);
+    lead_to(a, shared->a, tip);
+    lead_to(b, shared->b, tip);
+    if (corner) drop_between(a, b, *shared, width);
+    const auto stem = corner ? std::nullopt : stem_at(a, b, tip, width);
     if (!stem) return join(a, b);
     const int junction = static_cast<int>(junctions_.size());
-    junctions_.push_back(*tip);
+    junctions_.push_back(tip);
     for (const End& e : {a, b, *stem}) junction_at(ridge(e.chain).chain, e.at_start) = junction;
   }
 
-  // A chain along the middle of the blot.
-  void drop_between(End a, End b, Vec2 tip, double width) {
-    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
-      if (c == a.chain || c == b.chain || !is_free({c, true}) || !is_free({c, false})) continue;
-      const auto& points = chain(c).points;
-      if (lengths_along(points).back() < options_.longest && std::all_of(points.begin(), points.end(), [&](Vec2 p) {
-            return norm(p - tip) < options_.longest && over_ink(ink_, p, tip, kPaper + width);
-          }))
-        clear(ridge(c));
+  // Chains in the blot of a corner that lead nowhere else.
+  void drop_between(End a, End b, const SharedTip& shared, double width) {
+    std::vector<int> inside;
+    for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
+      if (c != a.chain && c != b.chain && lies_between(chain(c).points, shared, width)) inside.push_back(c);
+    for (bool changed = true; changed;) {
+      const std::size_t before = inside.size();
+      std::erase_if(inside, [&](int c) { return leads_out(c, inside); });
+      changed = inside.size() < before;
     }
+    for (const int c : inside) clear(ridge(c));
+  }
+
+  bool lies_between(const std::vector<Vec2>& points, const SharedTip& shared, double width) const {
+    if (points.empty() || lengths_along(points).back() >= options_.longest + options_.hidden) return false;
+    return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+      const double beside =
+          std::min(distance_to_segment(p, shared.point, shared.a.point), distance_to_segment(p, shared.point, shared.b.point));
+      return beside < width + kPaper && over_ink(ink_.slim, p, shared.point, width + kPaper);
+    });
+  }
+
+  // Whether another chain than these begins where this one ends.
+  bool leads_out(int c, const std::vector<int>& inside) const {
+    for (const int junction : {chain(c).start_junction, chain(c).end_junction}) {
+      if (junction < 0) continue;
+      for (int other = 0; other < static_cast<int>(ridges_.size()); ++other) {
+        const bool begins = chain(other).start_junction == junction || chain(other).end_junction == junction;
+        if (begins && !std::binary_search(inside.begin(), inside.end(), other)) return true;
+      }
+    }
+    return false;
   }
 
   // The stem of a fork ends at its tip, which it may have passed.
@@ -327,20 +360,21 @@ class Corners {
 
   // Whether a pen that turned here would have left this ink, even if it bevelled the corner: an arc's sides meet at its rim.
   bool inside_ink(Vec2 tip, const Arrival& a, const Arrival& b, double width) const {
-    return nearest(ink_, tip + kInside * width * half_sine(a, b) * unit(a.direction + b.direction), std::uint8_t{0}) != 0;
+    return nearest(ink_.slim, tip + kInside * width * half_sine(a, b) * unit(a.direction + b.direction), std::uint8_t{0}) != 0;
   }
 
   // The number of the last point that was looked at.
   int sharpen_between(RidgeChain& ridge, int from, int to) const {
     const Arrival a = arrival_from(ridge, from - 1, false), b = arrival_from(ridge, to, true);
-    const auto tip = corner_of(a, b, ridge.chain.width, ink_, options_);
+    const auto tip = corner_of(a, b, ridge.chain.width, ink_.slim, options_, options_.longest);
     if (!tip || !inside_ink(*tip, a, b, ridge.chain.width)) return to;
+    const Vec2 turn = settled_tip(*tip, a, b, ridge.chain.width, ink_, options_);
     auto& points = ridge.chain.points;
     const int first = from - a.last, last = to + b.last;
     if (first > 1) points[at(first - 1)] = a.point;
     if (last + 1 < static_cast<int>(points.size())) points[at(last)] = b.point;
-    std::vector<Vec2> way = resampled({points[at(first - 1)], *tip}, 1);
-    const std::vector<Vec2> back = resampled({*tip, points[at(last)]}, 1);
+    std::vector<Vec2> way = resampled({points[at(first - 1)], turn}, 1);
+    const std::vector<Vec2> back = resampled({turn, points[at(last)]}, 1);
     way.insert(way.end(), back.begin() + 1, back.end());
     const auto replace = [&](auto& values, auto begin, auto end) {
       values.erase(values.begin() + first, values.begin() + last);
@@ -354,20 +388,20 @@ class Corners {
 
   std::vector<RidgeChain> ridges_;
   std::vector<Vec2> junctions_;
-  const Raster<std::uint8_t>& ink_;
+  const CornerInk& ink_;
   const CornerOptions& options_;
   std::vector<std::vector<End>> ends_;
 };
 
 }  // namespace
 
-ArmsJoined join_arms(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+ArmsJoined join_arms(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const CornerInk& ink,
                      const CornerOptions& options) {
   return Corners(std::move(ridges), std::move(junctions), ink, options).meet();
 }
 
-std::vector<RidgeChain> open_corners(std::vector<RidgeChain> ridges, const std::vector<Vec2>& junctions,
-                                     const Raster<std::uint8_t>& ink, const CornerOptions& options) {
+std::vector<RidgeChain> open_corners(std::vector<RidgeChain> ridges, const std::vector<Vec2>& junctions, const CornerInk& ink,
+                                     const CornerOptions& options) {
   return Corners(std::move(ridges), junctions, ink, options).open();
 }
 

@@ -4,15 +4,10 @@
 // Cost:   a few points a chain end, and the ink of the corners.
 #pragma once
 
-#include "base/raster.h"
 #include "refine/ridge.h"
+#include "refine/tips.h"
 
 namespace inkgrid {
-
-struct CornerOptions {
-  double longest = 15;  // from where its sides are confirmed to the tip of a corner, px
-  double miss = 3.6;    // how far sides may meet from the end of the ink, px; more where they meet at less than 60 degrees
-};
 
 struct ArmsJoined {
   std::vector<RidgeChain> ridges;
@@ -21,14 +16,14 @@ struct ArmsJoined {
 
 // Free ends whose lines meet over ink where no other chain leads through are the arms of a corner, and become one chain, or those
 // of a fork: they end in a new junction, with the chain that ends there or passed it.
-ArmsJoined join_arms(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+ArmsJoined join_arms(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const CornerInk& ink,
                      const CornerOptions& options);
 
 // A free chain at a junction of three is the tip of a corner, and dropped, where the other two arrive along lines that meet near
 // its end.  What two chain ends share, free ends whose lines meet in the ink between them too, becomes one chain; and wherever a
 // chain turns over ink that does not confirm it, it goes along the lines of its sides to where they meet in the ink.  Junctions
 // keep their numbers, those of two chains are left without any.
-std::vector<RidgeChain> open_corners(std::vector<RidgeChain> ridges, const std::vector<Vec2>& junctions,
-                                     const Raster<std::uint8_t>& ink, const CornerOptions& options);
+std::vector<RidgeChain> open_corners(std::vector<RidgeChain> ridges, const std::vector<Vec2>& junctions, const CornerInk& ink,
+                                     const CornerOptions& options);
 
 }  // namespace inkgrid

@@ -26,6 +26,7 @@ constexpr double kTrimmed = 2.5;      // of the pen
 constexpr double kLongestHook = 2;    // of the pen
 constexpr double kOneBlot = 3;        // px: where two blots have met so near to each other, they are of one crossing
 constexpr double kOnePlace = 0.25;    // of the pen: junctions nearer to each other than this are one
+constexpr double kHidden = 16;        // px over which the sides of a corner of 10 degrees hide the paper between them
 constexpr double kTipMiss = 0.6;      // of the pen
 constexpr double kOvershoot = 2;      // strokes
 constexpr double kStraight = 2;       // strokes: chains that are in line over this are one
@@ -115,7 +116,7 @@ class Refinement {
   Chains joined(Chains chains) const {
     Blots blots = meet_in_blots(follow_ridges(chains.chains, bands_, ridge_), chains.junctions, bands_, drawn_,
                                 {kLongestBlot * options_.pen, options_.pen, bridge_});
-    ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), ink_.mask, corners(blot_.free_arms));
+    ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), corner_ink(), corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
     if (is_slimmed()) {
       const double near = std::min(kOneBlot, 0.5 * options_.pen);
@@ -132,7 +133,8 @@ class Refinement {
   Chains located(Chains chains) const {
     RidgeOptions middle = ridge_;
     middle.slit = options_.slit * width_;
-    auto ridges = open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, ink_.mask,
+    middle.corners = is_fine();
+    auto ridges = open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, corner_ink(),
                                corners(kLongestBlot * options_.pen));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
@@ -145,8 +147,15 @@ class Refinement {
   }
 
  private:
+  bool is_fine() const { return options_.spacing < 1; }  // a grid that keeps strokes apart which run side by side
   bool is_slimmed() const { return width_ < options_.pen; }
-  CornerOptions corners(double longest) const { return {longest, kTipMiss * options_.pen}; }
+  CornerInk corner_ink() const { return {ink_.mask, drawn_}; }
+
+  CornerOptions corners(double longest) const {
+    CornerOptions corners{longest, kTipMiss * options_.pen, 0, 0};
+    if (is_fine()) corners.hidden = kHidden, corners.pen = options_.pen;
+    return corners;
+  }
 
   const Ink& ink_;
   InkBands bands_;

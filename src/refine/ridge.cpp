@@ -21,12 +21,14 @@ constexpr double kOneSidedWeight = 0.3;  // of a point with paper on one side on
 constexpr double kWidest = 1.3;          // times the usual width: more is a junction or a corner
 constexpr double kStiffest = 4;          // times the usual stroke
 constexpr double kFade = 1.5;
-constexpr double kOfLoop = 0.4;   // of its radius: bends longer than that keep a small loop from shrinking
-constexpr double kStubby = 1.2;   // widths of the drawn ink: shorter chains may be threads all along
-constexpr double kThread = 0.35;  // of what slimming leaves of a stroke
-constexpr double kTaken = 1.5;    // times what slimming usually takes
-constexpr double kRimNoise = 1;   // px
-constexpr double kAnchor = 0.05;  // of the isoline itself, which is all that is known where sections tell nothing
+constexpr double kOfLoop = 0.4;       // of its radius: bends longer than that keep a small loop from shrinking
+constexpr double kStubby = 1.2;       // widths of the drawn ink: shorter chains may be threads all along
+constexpr double kThread = 0.35;      // of what slimming leaves of a stroke
+constexpr double kTaken = 1.5;        // times what slimming usually takes
+constexpr double kRimNoise = 1;       // px
+constexpr double kTurn = 2;           // strokes along the chain before its other side can begin
+constexpr double kOtherSide = -0.82;  // cosine of 145 degrees between the directions of the sides of a sharp corner
+constexpr double kAnchor = 0.05;      // of the isoline itself, which is all that is known where sections tell nothing
 
 // One side of a cross-section: how far the ink goes, and whether paper ends it.
 struct Side {
@@ -36,14 +38,21 @@ struct Side {
   double moment = 0;  // integral of darkness times distance
 };
 
+// The points of a chain and the normals there.
+struct Track {
+  const std::vector<Vec2>& points;
+  const std::vector<Vec2>& normals;
+  int first;  // its first sample in the ownership
+};
+
 class SectionReader {
  public:
   SectionReader(const Ownership& ownership, const Ink& ink, const RidgeOptions& options)
       : ownership_(ownership), ink_(ink), options_(options), farthest_(3 * ink.stroke_width + 2 * options.bridge) {}
 
-  // `sample` is the point's index in the ownership.
-  CrossSection read(int sample, Vec2 p, Vec2 normal) const {
-    const Side left = walk(sample, p, normal), right = walk(sample, p, -normal);
+  CrossSection read(const Track& track, int k) const {
+    const Vec2 p = track.points[at(k)], normal = track.normals[at(k)];
+    const Side left = walk(track, k, p, normal), right = walk(track, k, p, -normal);
     CrossSection section;
     if (left.extent + right.extent <= 0 || left.mass + right.mass <= 0) return section;
     if (left.paper && right.paper) {
@@ -59,7 +68,7 @@ class SectionReader {
   }
 
  private:
-  Side walk(int sample, Vec2 p, Vec2 direction) const {
+  Side walk(const Track& track, int k, Vec2 p, Vec2 direction) const {
     Side side;
     double last = 0;
     for (double t = 0.5 * kWalkStep; t < farthest_; t += kWalkStep) {
@@ -70,7 +79,7 @@ class SectionReader {
         return side;
       }
       const int owner = ownership_.owner(x, y);
-      if (owner >= 0 && !belongs(owner, sample)) return side;
+      if (owner >= 0 && !belongs(owner, track, k)) return side;
       if (ink_.mask(x, y)) {
         last = t + 0.5 * kWalkStep;
         const double dark = bilinear(ink_.darkness, q);
@@ -93,10 +102,13 @@ class SectionReader {
     return side;
   }
 
-  // The owner is a stretch of the same chain around the sample.
-  bool belongs(int owner, int sample) const {
-    const auto a = ownership_.samples[at(owner)], b = ownership_.samples[at(sample)];
-    return a.chain == b.chain && std::abs(a.point - b.point) * options_.step < 2.5 * farthest_;
+  // The owner is a stretch of the same chain around the point, and where corners count not the other side of one.
+  bool belongs(int owner, const Track& track, int k) const {
+    const auto a = ownership_.samples[at(owner)], b = ownership_.samples[at(track.first + k)];
+    const double away = std::abs(a.point - b.point) * options_.step;
+    return a.chain == b.chain && away < 2.5 * farthest_ &&
+           !(options_.corners && away > kTurn * ink_.stroke_width &&
+             dot(track.normals[at(a.point)], track.normals[at(k)]) < kOtherSide);
   }
 
   const Ownership& ownership_;
@@ -281,10 +293,9 @@ void follow_once(std::vector<RidgeChain>& ridges, const Ink& ink, const InkBand&
     const int n = static_cast<int>(ridge.chain.points.size());
     std::vector<Vec2> normals;
     ridge.sections.clear();
-    for (int k = 0; k < n; ++k) {
+    for (int k = 0; k < n; ++k)
       normals.push_back(quarter_turn(tangent_at(ridge.chain.points, k, tangent_span, ridge.chain.closed)));
-      ridge.sections.push_back(reader.read(first_sample + k, ridge.chain.points[at(k)], normals.back()));
-    }
+    for (int k = 0; k < n; ++k) ridge.sections.push_back(reader.read({ridge.chain.points, normals, first_sample}, k));
     if (options.drawn) doubt_rims(ridge, normals, ink.stroke_width, options);
     const auto usual = usual_widths(ridge.sections, width_span(ink.stroke_width, options.step), ink.stroke_width);
     judge(ridge.sections, usual);

@@ -33,6 +33,7 @@ struct RidgeOptions {
   double stroke_span = 0;                       // over which chains go straight on into each other, px; 0: they move alone
   int threads = 0;                              // 0: as many as the machine has
   double slit = 0;                              // px: wider paper between ink of one chain that it may be the middle of; 0: none
+  bool corners = false;                         // whether the two sides of a sharp corner of one chain have ink of their own
 };
 
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,

@@ -31,7 +31,7 @@ CLEAN = {
     'attach_ends': 3.7,
     'drop_doubles': 4.1,
     'join_crossings': 2.8,
-    'join_arms': 1.5,
+    'join_arms': 2.6,
     'mark_leftovers': 2.8,
     'fit_outlines': 16,
     'fit_curves': 73,
