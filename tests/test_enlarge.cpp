@@ -8,6 +8,7 @@
 #include "chain_checks.h"
 #include "drawings.h"
 #include "ink/enlarge.h"
+#include "inkgrid/inkgrid.h"
 #include "settings.h"
 
 namespace inkgrid {
@@ -117,6 +118,16 @@ TEST(Enlarge, NotForSlitsThatAreToBeJoined) {
   options.bundles = BundleMode::join;
   EXPECT_EQ(enlargement_for({Preset::clean, false, true}, options), 1);
   EXPECT_EQ(enlargement_for({Preset::clean, true, true}, options), 2);
+}
+
+TEST(Enlarge, NotWhereNothingWouldBeInkAfterwards) {
+  const Image strip = image_of(3, 200, [](int x, int) { return x == 1 ? 0 : 255; });
+  const Result one = vectorize(strip);
+  EXPECT_EQ(one.report.enlargement, 1);
+  ASSERT_EQ(one.drawing.curves.size(), 1u);
+  EXPECT_EQ(one.drawing.curves.front().width, 1);
+  const Image lines = image_of(60, 60, [](int x, int) { return x % 3 == 1 ? 0 : 255; });
+  EXPECT_EQ(vectorize(lines).drawing.curves.size(), 20u);
 }
 
 }  // namespace
