@@ -183,6 +183,7 @@ TEST(BranchPoints, AreCounted) {
       {"a crossing", {kLine, "M200 20V200"}, 1, 4},
       {"a T", {kLine, "M200 100V200"}, 1, 3},
       {"a T that stops short", {kLine, "M200 104V200"}, 0, 4},
+      {"a T that goes on a little", {kLine, "M200 97V200"}, 1, 3},
       {"a Y", {"M200 100L100 50", "M200 100L300 50", "M200 100V200"}, 1, 3},
       {"an X of two corners", {"M100 50L200 100L300 50", "M100 150L200 100L300 150"}, 1, 4},
       {"a star of six",
@@ -207,6 +208,17 @@ TEST(BranchPoints, AreCounted) {
     EXPECT_EQ(comparison.junctions.result, c.junctions) << c.what;
     EXPECT_EQ(comparison.ends.result, c.ends) << c.what;
   }
+}
+
+TEST(BranchPoints, TouchWithinAQuarterOfABroadPenOnCleanPagesAndWithinTheToleranceOnOthers) {
+  const auto junctions = [](const std::string& set, const std::string& start) {
+    const SvgText drawing =
+        page(stroke(kLine) + stroke("M200 " + start + "V250"), "viewBox='0 0 400 300' data-pen='20' data-set='" + set + "'");
+    return compare_svg(drawing, drawing).junctions.result;
+  };
+  EXPECT_EQ(junctions("clean", "105"), 1);
+  EXPECT_EQ(junctions("clean", "107"), 0);
+  EXPECT_EQ(junctions("rough", "107"), 1);
 }
 
 TEST(BranchPoints, OfALattice) {
