@@ -96,8 +96,8 @@ Ink two_strokes(double paper) {
 TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
   const Ink small = two_strokes(20);
   EXPECT_TRUE(has_fine_pen(1, small));
-  EXPECT_TRUE(has_fine_pen(2.5, small));
-  EXPECT_FALSE(has_fine_pen(4, small));
+  EXPECT_TRUE(has_fine_pen(2.79, small));
+  EXPECT_FALSE(has_fine_pen(2.81, small));
   EXPECT_FALSE(has_fine_pen(0, small)) << "there is no stroke";
   Ink huge;
   huge.mask = Raster<std::uint8_t>(20000, 1000);
@@ -109,6 +109,24 @@ TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
 TEST(Enlarge, PicturesOfFineSlits) {
   for (const double paper : {1.0, 2.0, 3.0}) EXPECT_TRUE(has_fine_paper(two_strokes(paper))) << paper;
   for (const double paper : {5.0, 6.0, 12.0}) EXPECT_FALSE(has_fine_paper(two_strokes(paper))) << paper;
+}
+
+TEST(Enlarge, NotForAShortSlitBesideLongStrokes) {
+  Image image = blank(320, 80);
+  for (const double y : {15.0, 45.0}) paint(image, {{10, y}, {310, y}}, 6);
+  paint(image, {{150, 53}, {162, 53}}, 6);
+  EXPECT_FALSE(has_fine_paper(ink_of(image)));
+  for (const double x : {40.0, 95.0, 205.0, 260.0}) paint(image, {{x, 53}, {x + 30, 53}}, 6);
+  EXPECT_TRUE(has_fine_paper(ink_of(image)));
+}
+
+TEST(Enlarge, TheReportIsInPixelsOfTheDrawing) {
+  Image image = blank(140, 60);
+  paint(image, {{20, 30}, {120, 30}}, 2);
+  const Report report = vectorize(image).report;
+  EXPECT_EQ(report.enlargement, 2);
+  EXPECT_NEAR(report.stroke_width, 2, 0.5);
+  EXPECT_NEAR(static_cast<double>(report.ink_pixels), 203, 20);
 }
 
 TEST(Enlarge, NotForSlitsThatAreToBeJoined) {
