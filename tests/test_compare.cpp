@@ -180,6 +180,7 @@ TEST(BranchPoints, AreCounted) {
       {"a line in three pieces", {"M50 100H150", "M150 100H220L300 100", "M350 100H300"}, 0, 2},
       {"a corner of two lines", {"M50 100H150", "M150 100V200"}, 0, 2},
       {"a closed curve", {"M100 100A50 50 0 0 1 200 100A50 50 0 0 1 100 100Z"}, 0, 0},
+      {"a curve that ends where it began", {"M100 100A50 50 0 0 1 200 100A50 50 0 0 1 100 100.0005"}, 0, 0},
       {"a crossing", {kLine, "M200 20V200"}, 1, 4},
       {"a T", {kLine, "M200 100V200"}, 1, 3},
       {"a T that stops short", {kLine, "M200 104V200"}, 0, 4},
