@@ -112,8 +112,8 @@ TEST(ImageIo, ReadingFiles) {
   const std::string file = (folder / "bytes.bin").string(), content("a\0b\xff\n", 5);
   std::ofstream(file, std::ios::binary) << content;
   EXPECT_EQ(read_bytes(file), content);
-  EXPECT_EQ(refusal([&] { read_bytes(folder.string()); }), "cannot read '" + folder.string() + "': it is a directory");
-  EXPECT_EQ(refusal([&] { read_bytes(file + ".none"); }), "cannot read '" + file + ".none': No such file or directory");
+  EXPECT_EQ(refusal([&] { read_bytes(folder.string()); }), "can't read '" + folder.string() + "': it is a directory");
+  EXPECT_EQ(refusal([&] { read_bytes(file + ".none"); }), "can't read '" + file + ".none': No such file or directory");
   std::filesystem::remove_all(folder);
 }
 
