@@ -106,6 +106,16 @@ TEST(ImageIo, ResolutionIsInPixelsPerMillimetre) {
   }
 }
 
+TEST(ImageIo, AShapeOfPixelsIsNoResolution) {
+  PixOwner pix = grey_pix(8);
+  pixSetResolution(pix.get(), 254, 254);
+  std::string png = encode(pix, IFF_PNG);
+  const std::size_t unit = png.find("pHYs") + 12;
+  ASSERT_EQ(png.at(unit), 1);
+  png[unit] = 0;
+  EXPECT_EQ(decode_image(png, "x").pixels_per_mm, 0);
+}
+
 TEST(ImageIo, ReadingFiles) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "inkgrid_image_io";
   std::filesystem::create_directories(folder);

@@ -272,7 +272,7 @@ TEST(Pipeline, AStopRequestIsHeard) {
   control.stop = before.get_token();
   EXPECT_EQ(code_of(control), static_cast<int>(ErrorCode::cancelled));
 
-  for (const char* stage : {"frame field", "grid map"}) {
+  for (const char* stage : {"frame field", "grid map", "isolines"}) {
     std::stop_source during;
     control.stop = during.get_token();
     control.progress = [&](const char* name, double) {

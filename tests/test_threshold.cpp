@@ -323,6 +323,27 @@ TEST(Threshold, ASpeckOfFourPixelsIsADotOnEvenPaperOnly) {
   }
 }
 
+// Below half of the ink around it, but darker than paper.
+TEST(Threshold, APinholeThroughWhichNoPaperIsSeenIsFilled) {
+  for (const int grey : {150, 250}) {
+    Image image = blank(200, 100);
+    paint(image, {{30, 50}, {170, 50}}, 16, 20);
+    for (const int x : {100, 101})
+      for (const int y : {49, 50}) pixel(image, x, y) = static_cast<std::uint8_t>(grey);
+    EXPECT_EQ(binarise(image, std::nullopt).ink(100, 49), grey == 150) << grey;
+  }
+}
+
+TEST(Threshold, AFaintPatchWithoutADarkPixelIsNoInk) {
+  for (const int grey : {207, 190}) {
+    Image image = blank(200, 100);
+    paint(image, {{30, 20}, {170, 20}}, 5, 0);
+    for (int y = 60; y < 70; ++y)
+      for (int x = 90; x < 100; ++x) pixel(image, x, y) = static_cast<std::uint8_t>(grey);
+    EXPECT_EQ(binarise(image, std::nullopt).ink(95, 65), grey == 190) << grey;
+  }
+}
+
 TEST(Threshold, RingingOfAnEncoderIsNoInk) {
   Image image = blank(300, 200);
   paint(image, {{150, 20}, {150, 180}}, 5);
