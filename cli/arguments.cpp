@@ -31,13 +31,19 @@ constexpr std::array kCommandOptions{
     CommandOption{"", "--man", "", &Arguments::man, "print the manual page (roff) and exit"},
 };
 
+// An empty name is mostly a variable of a script that was never set; taken as not given, it would write somewhere else.
+std::string refuse_empty(const std::string& value) {
+  return value.empty() ? "a name is missing" : "";
+}
+
 void add_command_option(CLI::App& app, Arguments& arguments, const CommandOption& option) {
   const std::string names = (option.letter.empty() ? "" : std::string(option.letter) + ",") + std::string(option.name);
-  std::visit(
-      Overloaded{[&](std::string Arguments::*m) { app.add_option(names, arguments.*m); },
-                 [&](std::vector<std::string> Arguments::*m) { app.add_option(names, arguments.*m)->allow_extra_args(false); },
-                 [&](bool Arguments::*m) { app.add_flag(names, arguments.*m); }},
-      option.member);
+  std::visit(Overloaded{[&](std::string Arguments::*m) { app.add_option(names, arguments.*m)->check(refuse_empty); },
+                        [&](std::vector<std::string> Arguments::*m) {
+                          app.add_option(names, arguments.*m)->allow_extra_args(false)->check(refuse_empty);
+                        },
+                        [&](bool Arguments::*m) { app.add_flag(names, arguments.*m); }},
+             option.member);
 }
 
 }  // namespace

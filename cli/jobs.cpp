@@ -79,6 +79,7 @@ void refuse_shared_files(const Arguments& arguments, const std::vector<Job>& job
     for (const Output& output : job.outputs) roles.write(output.path, "the output of '" + job.source + "'");
   roles.write(arguments.report, "the report");
   roles.write(arguments.save_project, "the saved project");
+  roles.write(arguments.stages, "the directory of the stages");
 }
 
 std::vector<std::string> sources_of(const Arguments& arguments) {

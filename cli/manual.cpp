@@ -18,10 +18,10 @@ constexpr std::string_view kDescription =
     "inkgrid studio --help says more.";
 constexpr std::string_view kFormats = "The extension of an output, or --format, is one of:";
 constexpr std::string_view kCompareUsage = "inkgrid compare [OPTION]... RESULT.svg TRUTH.svg";
+constexpr std::string_view kStudioUsage = "inkgrid studio [OPTION]... [FILE]";
 constexpr std::string_view kCompareDescription =
     "Measures how near the curves of RESULT are to those of TRUTH and prints the measures, which docs/EVALUATION.md defines. "
-    "Both "
-    "are SVG files, or - for standard input; RESULT is fitted to the page of TRUTH.";
+    "Both are SVG files, or - for standard input; RESULT is fitted to the page of TRUTH.";
 constexpr std::string_view kParameters =
     "Lengths in strokes are multiples of the drawing's average stroke width. Sections are those of the paper that the method "
     "follows: Integer-Grid Sketch Simplification and Vectorization, Stanko et al., 2020.";
@@ -137,7 +137,8 @@ std::string compare_help_text() {
 }
 
 std::string help_text() {
-  std::string text = "Usage: " + std::string(kUsage) + "\n       " + std::string(kCompareUsage) + "\n\n";
+  std::string text = "Usage: " + std::string(kUsage) + "\n       " + std::string(kCompareUsage) + "\n       " +
+                     std::string(kStudioUsage) + "\n\n";
   text += wrapped(kDescription, 0) + "\n";
   text += all_entries(command_options(), help_entry);
   text += "\n" + wrapped("Formats. " + std::string(kFormats), 0) + "\n";
@@ -154,6 +155,7 @@ std::string manual_page() {
   text += ".SH NAME\ninkgrid \\- " + roff(kSummary) + "\n";
   text += ".SH SYNOPSIS\n.B inkgrid\n[\\fIOPTION\\fR]... \\fIDRAWING\\fR...\n";
   text += ".br\n.B inkgrid compare\n[\\fIOPTION\\fR]... \\fIRESULT.svg\\fR \\fITRUTH.svg\\fR\n";
+  text += ".br\n.B inkgrid studio\n[\\fIOPTION\\fR]... [\\fIFILE\\fR]\n";
   text += ".SH DESCRIPTION\n" + roff(kDescription) + "\n";
   text += ".SH OPTIONS\n" + all_entries(command_options(), roff_entry);
   text += ".SH FORMATS\n" + roff(kFormats) + "\n" + all_entries(export_formats(), roff_entry) +

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "base/alternatives.h"
 #include "base/decimal.h"
 #include "base/overloaded.h"
 #include "inkgrid/inkgrid.h"
@@ -84,15 +85,6 @@ bool in_range(const OptionRow& row, const Options& options) {
                     row.member);
 }
 
-// "auto, clean or rough"
-template <Choice Value>
-std::string enumeration() {
-  const auto& names = names_of<Value>();
-  std::string text = names.front();
-  for (std::size_t i = 1; i < names.size(); ++i) text.append(i + 1 < names.size() ? ", " : " or ").append(names[i]);
-  return text;
-}
-
 [[noreturn]] void refuse(const OptionRow& row, std::string_view text) {
   throw Error(ErrorCode::usage, std::string(row.name) + " must be " + accepted_values(row) + ", not '" + std::string(text) + "'");
 }
@@ -127,7 +119,7 @@ bool is_name(const OptionRow& row) {
 std::string accepted_values(const OptionRow& row) {
   std::string range = shortest(row.least) + " to " + shortest(row.most);
   if (!row.unit.empty()) range.append(" ").append(row.unit);
-  return std::visit(Overloaded{[]<Choice Value>(Value Options::*) { return enumeration<Value>(); },
+  return std::visit(Overloaded{[]<Choice Value>(Value Options::*) { return alternatives(names_of<Value>()); },
                                [&](double Options::*) { return "a number from " + range; },
                                [&](std::optional<double> Options::*) { return "a number from " + range + " or auto"; },
                                [&](int Options::*) { return "a whole number from " + range; }},

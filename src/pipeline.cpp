@@ -123,8 +123,13 @@ void run_ink(const Image& image, Stages& stages, Stopwatch& run, const Control& 
   const Options& options = stages.inputs.options;
   Strokes strokes = measure_strokes(image, options, 1, run);
   if (strokes.ink.pixels > 0) stages.look = look_of(strokes.ink, pen_width(strokes, options));
-  if (enlargement_for(stages.look, options) > 1)
-    strokes = run("enlarged ink", 0.07, [&] { return measure_enlarged(image, options, control); });
+  if (enlargement_for(stages.look, options) > 1) {
+    Strokes finer = run("enlarged ink", 0.07, [&] { return measure_enlarged(image, options, control); });
+    if (finer.ink.pixels > 0)
+      strokes = std::move(finer);
+    else  // rims all over the picture are taken for grain
+      stages.look.fine_pen = stages.look.fine_paper = false;
+  }
   stages.fills = std::move(strokes.fills);
   stages.ink = std::move(strokes.ink);
 }

@@ -1,5 +1,5 @@
 // What:   what a run tells of itself, a stage at a time.
-// Source: ours; the report of the command (docs/FORMATS.md).
+// Source: ours; what each number is says include/inkgrid/report.h.
 // Differs: nothing.
 // Cost:   linear in what is counted.
 #pragma once

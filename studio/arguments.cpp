@@ -10,11 +10,16 @@ namespace {
 void describe(CLI::App& app, Arguments& arguments) {
   app.description("A page in the browser: see the method, paint where it should simplify, watch the curves answer.");
   app.name("inkgrid studio");
-  app.add_option("FILE", arguments.file, "a drawing or a project to begin with");
-  app.add_option("--port", arguments.port, "listen on this port, 0 for any free one")->check(CLI::Range(0, 65535));
-  app.add_option("--host", arguments.host, "listen on this address; others than the default can be reached from other machines")
+  app.add_option("FILE", arguments.file, "a drawing or a project to begin with")->type_name("");
+  app.add_option("--port", arguments.port, "listen on this port, 0 to 65535; 0 for any free one")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(0, 65535).description(""))
       ->capture_default_str();
-  app.add_flag("!--no-browser", arguments.browser, "print the address, and open no browser");
+  app.add_option("--host", arguments.host, "listen on this address; others than the default can be reached from other machines")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  app.add_flag_callback(
+      "--no-browser", [&arguments] { arguments.browser = false; }, "print the address, and open no browser");
 }
 
 }  // namespace

@@ -133,6 +133,8 @@ inline std::vector<Sample> samples() {
           {"grey bmp", encode(grey, IFF_BMP)},
           {"ppm", encode(colour, IFF_PNM)},
           {"pgm", encode(grey, IFF_PNM)},
+          {"deep pgm", encode(grey_pix(16), IFF_PNM)},
+          {"deep tiff", encode(grey_pix(16), IFF_TIFF)},
           {"pbm", encode(bits, IFF_PNM)},
           {"ascii pgm", encode_ascii_pnm(grey)},
           {"ascii ppm", encode_ascii_pnm(colour)},

@@ -230,6 +230,15 @@ TEST(BandMesh, HolesAndComponents) {
   }
 }
 
+TEST(BandMesh, ASlitUpToAQuarterWiderThanTheBandIsNoHole) {
+  const double pen = 6, reach = 0.5;
+  for (const auto& [paper, expected] : {std::pair{5.0, 0}, {7.6, 0}, {9.5, 1}}) {
+    const double half = (pen + paper) / 2;
+    const Lines slot{{{30, 100 - half}, {170, 100 - half}, {170, 100 + half}, {30, 100 + half}, {30, 100 - half}}};
+    EXPECT_EQ(holes(build_band(drawn_ink(slot, pen, 200), nullptr, {reach, 0.25})), expected) << paper;
+  }
+}
+
 TEST(BandMesh, AFilledDiscHasNoHole) {
   const Ink ink = drawn_ink({{{100, 100}, {100.01, 100}}}, 100, 200);
   const BandMesh mesh = build_band(ink, nullptr, {});

@@ -180,9 +180,11 @@ TEST(BranchPoints, AreCounted) {
       {"a line in three pieces", {"M50 100H150", "M150 100H220L300 100", "M350 100H300"}, 0, 2},
       {"a corner of two lines", {"M50 100H150", "M150 100V200"}, 0, 2},
       {"a closed curve", {"M100 100A50 50 0 0 1 200 100A50 50 0 0 1 100 100Z"}, 0, 0},
+      {"a curve that ends where it began", {"M100 100A50 50 0 0 1 200 100A50 50 0 0 1 100 100.0005"}, 0, 0},
       {"a crossing", {kLine, "M200 20V200"}, 1, 4},
       {"a T", {kLine, "M200 100V200"}, 1, 3},
       {"a T that stops short", {kLine, "M200 104V200"}, 0, 4},
+      {"a T that goes on a little", {kLine, "M200 97V200"}, 1, 3},
       {"a Y", {"M200 100L100 50", "M200 100L300 50", "M200 100V200"}, 1, 3},
       {"an X of two corners", {"M100 50L200 100L300 50", "M100 150L200 100L300 150"}, 1, 4},
       {"a star of six",
@@ -207,6 +209,17 @@ TEST(BranchPoints, AreCounted) {
     EXPECT_EQ(comparison.junctions.result, c.junctions) << c.what;
     EXPECT_EQ(comparison.ends.result, c.ends) << c.what;
   }
+}
+
+TEST(BranchPoints, TouchWithinAQuarterOfABroadPenOnCleanPagesAndWithinTheToleranceOnOthers) {
+  const auto junctions = [](const std::string& set, const std::string& start) {
+    const SvgText drawing =
+        page(stroke(kLine) + stroke("M200 " + start + "V250"), "viewBox='0 0 400 300' data-pen='20' data-set='" + set + "'");
+    return compare_svg(drawing, drawing).junctions.result;
+  };
+  EXPECT_EQ(junctions("clean", "105"), 1);
+  EXPECT_EQ(junctions("clean", "107"), 0);
+  EXPECT_EQ(junctions("rough", "107"), 1);
 }
 
 TEST(BranchPoints, OfALattice) {

@@ -249,7 +249,9 @@ TEST(Split, AClosedCurveOpensAtThePlace) {
 }
 
 TEST(Split, AtAnEndIsMissed) {
-  EXPECT_EQ(apply_edits(tree(), std::vector<Edit>{split({0, 50}), split({-3, 50})}).missed, (std::vector<int>{0, 1}));
+  EXPECT_EQ(apply_edits(tree(), std::vector<Edit>{split({0, 50}), split({-3, 50}), split({0.4, 50}), split({49.6, 51})}).missed,
+            (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_TRUE(apply_edits(tree(), std::vector<Edit>{split({0.6, 50})}).missed.empty());
 }
 
 TEST(Join, EndsThatMeetBecomeOneCurveWithoutANewSegment) {
@@ -297,6 +299,14 @@ TEST(Join, BridgeLeavesAlongBothTangents) {
   EXPECT_GT(curve.segments[1].p1.x, 40);
   EXPECT_NEAR(cross(unit(curve.segments[1].p3 - curve.segments[1].p2), {0, 1}), 0, 1e-12);
   EXPECT_LT(curve.segments[1].p2.y, 20);
+}
+
+TEST(Join, AGapOfATenthOfAPixelIsBridged) {
+  Drawing drawing;
+  drawing.curves = {polyline({{0, 0}, {40, 0}}), polyline({{40.1, 0}, {80, 0}})};
+  const Drawing after = edited(drawing, {join({38, 0}, {42, 0})});
+  check(after);
+  EXPECT_EQ(after.curves[0].segments.size(), 3u);
 }
 
 TEST(Join, WidthIsTheMeanByLength) {

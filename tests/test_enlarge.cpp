@@ -8,6 +8,7 @@
 #include "chain_checks.h"
 #include "drawings.h"
 #include "ink/enlarge.h"
+#include "inkgrid/inkgrid.h"
 #include "settings.h"
 
 namespace inkgrid {
@@ -95,8 +96,8 @@ Ink two_strokes(double paper) {
 TEST(Enlarge, OnlyPicturesOfAFinePenThatAreNotHuge) {
   const Ink small = two_strokes(20);
   EXPECT_TRUE(has_fine_pen(1, small));
-  EXPECT_TRUE(has_fine_pen(2.5, small));
-  EXPECT_FALSE(has_fine_pen(4, small));
+  EXPECT_TRUE(has_fine_pen(2.79, small));
+  EXPECT_FALSE(has_fine_pen(2.81, small));
   EXPECT_FALSE(has_fine_pen(0, small)) << "there is no stroke";
   Ink huge;
   huge.mask = Raster<std::uint8_t>(20000, 1000);
@@ -110,6 +111,24 @@ TEST(Enlarge, PicturesOfFineSlits) {
   for (const double paper : {5.0, 6.0, 12.0}) EXPECT_FALSE(has_fine_paper(two_strokes(paper))) << paper;
 }
 
+TEST(Enlarge, NotForAShortSlitBesideLongStrokes) {
+  Image image = blank(320, 80);
+  for (const double y : {15.0, 45.0}) paint(image, {{10, y}, {310, y}}, 6);
+  paint(image, {{150, 53}, {162, 53}}, 6);
+  EXPECT_FALSE(has_fine_paper(ink_of(image)));
+  for (const double x : {40.0, 95.0, 205.0, 260.0}) paint(image, {{x, 53}, {x + 30, 53}}, 6);
+  EXPECT_TRUE(has_fine_paper(ink_of(image)));
+}
+
+TEST(Enlarge, TheReportIsInPixelsOfTheDrawing) {
+  Image image = blank(140, 60);
+  paint(image, {{20, 30}, {120, 30}}, 2);
+  const Report report = vectorize(image).report;
+  EXPECT_EQ(report.enlargement, 2);
+  EXPECT_NEAR(report.stroke_width, 2, 0.5);
+  EXPECT_NEAR(static_cast<double>(report.ink_pixels), 203, 20);
+}
+
 TEST(Enlarge, NotForSlitsThatAreToBeJoined) {
   Options options;
   EXPECT_EQ(enlargement_for({Preset::clean, false, true}, options), 2);
@@ -117,6 +136,16 @@ TEST(Enlarge, NotForSlitsThatAreToBeJoined) {
   options.bundles = BundleMode::join;
   EXPECT_EQ(enlargement_for({Preset::clean, false, true}, options), 1);
   EXPECT_EQ(enlargement_for({Preset::clean, true, true}, options), 2);
+}
+
+TEST(Enlarge, NotWhereNothingWouldBeInkAfterwards) {
+  const Image strip = image_of(3, 200, [](int x, int) { return x == 1 ? 0 : 255; });
+  const Result one = vectorize(strip);
+  EXPECT_EQ(one.report.enlargement, 1);
+  ASSERT_EQ(one.drawing.curves.size(), 1u);
+  EXPECT_EQ(one.drawing.curves.front().width, 1);
+  const Image lines = image_of(60, 60, [](int x, int) { return x % 3 == 1 ? 0 : 255; });
+  EXPECT_EQ(vectorize(lines).drawing.curves.size(), 20u);
 }
 
 }  // namespace

@@ -150,6 +150,22 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
+long count_of(std::string_view part, const std::string& text) {
+  long count = 0;
+  for (auto place = text.find(part); place != std::string::npos; place = text.find(part, place + part.size())) ++count;
+  return count;
+}
+
+TEST(Dxf, AClosedPolylineDoesNotRepeatItsFirstPoint) {
+  Drawing drawing = sample();
+  drawing.curves.erase(drawing.curves.begin());
+  drawing.fills.clear();
+  ExportOptions options;
+  options.flatness = 100;  // a chord a segment
+  EXPECT_EQ(
+      count_of("\r\nVERTEX\r\n", written("dxf", drawing, options)) + count_of("\nVERTEX\n", written("dxf", drawing, options)), 2);
+}
+
 TEST(Png, SizeIsThatOfTheDrawingTimesTheScale) {
   ExportOptions options;
   for (const double scale : {0.1, 1.0, 2.5}) {

@@ -73,6 +73,24 @@ TEST(Fills, ACircleOnAStemIsFilledAndTheStemIsNot) {
   }
 }
 
+TEST(Fills, HaveTwoAndAHalfTimesTheWidthOfTheirStrokeAndMoreWhereTheInkIsUneven) {
+  const double pen = 8;
+  const auto count_of = [&](double times, bool uneven) {
+    Image image = stemmed(times * pen / 2, pen);
+    if (uneven) {
+      image = blank(200, 200);
+      paint_disc(image, {100, 80}, times * pen / 2, 90);
+      paint(image, {{100, 80}, {112, 170}}, pen);
+      paint(image, {{20, 180}, {180, 176}}, pen);
+    }
+    return fills_of(image).count;
+  };
+  EXPECT_EQ(count_of(2.6, false), 0);
+  EXPECT_EQ(count_of(4, false), 1);
+  EXPECT_EQ(count_of(3.6, true), 0);
+  EXPECT_EQ(count_of(5, true), 1);
+}
+
 TEST(Fills, WhatIsLeftIsTheDrawingWithoutThem) {
   const Image image = stemmed(25, 4);
   const Binarisation ink = binarise(image, std::nullopt);
@@ -126,6 +144,11 @@ TEST(Fills, APupilIsFilledAndItsHighlightIsAHole) {
   ASSERT_EQ(fills_of(image).count, 1);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
+      if (norm(Vec2{x + 0.5, y + 0.5} - Vec2{110, 105}) < 1.5) image.grey[static_cast<std::size_t>(y * image.width + x)] = 255;
+  ASSERT_EQ(fills_of(image).count, 1);
+  EXPECT_EQ(fills_of(image).outlines[0].size(), 1u) << "half a stroke squared is filled";
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
       if (norm(Vec2{x + 0.5, y + 0.5} - Vec2{125, 95}) < 6) image.grey[static_cast<std::size_t>(y * image.width + x)] = 255;
   const Fills fills = fills_of(image);
   ASSERT_EQ(fills.count, 1);
@@ -138,12 +161,12 @@ TEST(Fills, BlobsMuchWiderThanTheStrokesAreFilledAndDotsAreNot) {
   const double pen = 4;
   Image image = blank(480, 320);
   for (int k = 0; k < 4; ++k) paint(image, {{20, 220.0 + 25 * k}, {460, 215.0 + 27 * k}}, pen);
-  const double radii[] = {1.5, 2, 3, 4, 5, 8, 10, 14, 20, 28};
+  const double radii[] = {1.5, 2, 3, 5, 5.6, 6.6, 10, 14, 20, 28};
   for (int k = 0; k < 10; ++k) paint_disc(image, {50.0 + 90 * (k % 5), 50.0 + 90 * (k / 5)}, radii[k]);
   const Fills fills = fills_of(image);
   EXPECT_EQ(fills.count, 5);
   for (int k = 0; k < 10; ++k)
-    EXPECT_EQ(fills.region(50 + 90 * (k % 5), 50 + 90 * (k / 5)) >= 0, 2 * radii[k] > 3.5 * pen) << radii[k];
+    EXPECT_EQ(fills.region(50 + 90 * (k % 5), 50 + 90 * (k / 5)) >= 0, 2 * radii[k] > 3 * pen) << radii[k];
 }
 
 TEST(Fills, HairIsFilledAndTheStrokesThatComeOutOfItAreNot) {

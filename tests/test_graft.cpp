@@ -164,6 +164,15 @@ TEST(Graft, DisagreementOnTheWayOutIsNoResult) {
   EXPECT_FALSE(grafted({{}, {old_chain}}, {{}, {old_chain, across([](double) { return 120.0; })}}));
 }
 
+TEST(Graft, AgreementOverLessThanAStrokeIsNone) {
+  const Chain old_chain = across([](double) { return 80.0; });
+  const auto near_for = [&](double length) {  // from 40 px beyond the scribble on
+    return across([&](double x) { return 80 + 0.4 * std::max(0.0, std::abs(std::abs(x - 100) - 40) - length / 2); });
+  };
+  EXPECT_FALSE(grafted({{}, {old_chain}}, {{}, {near_for(0)}}));
+  EXPECT_TRUE(grafted({{}, {old_chain}}, {{}, {near_for(4)}}));
+}
+
 TEST(Graft, WidthsAreThoseOfThePieces) {
   Chain old_chain = across([](double) { return 80.0; }), new_chain = old_chain;
   new_chain.width = 2 * kWidth;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "encoded_images.h"
@@ -185,27 +186,28 @@ TEST(ImageFormat, PicturesAreTurnedAsTheCameraWasHeld) {
     }
 }
 
-// Greys in one strip, and a directory behind them.
-std::string tiff_lying(int orientation) {
+// Greys in one strip, and a directory behind them, in which a tag has the value.
+std::string tiff_with(std::size_t given_tag, std::size_t given_value) {
   std::string bytes("II*\0", 4);
   const std::size_t pixels = static_cast<std::size_t>(kWidth * kHeight);
   put(bytes, 8 + pixels + pixels % 2, 4);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) put(bytes, static_cast<std::size_t>(luma(colour_at(x, y))), 1);
   if (pixels % 2) put(bytes, 0, 1);
-  const std::pair<std::size_t, std::size_t> entries[] = {
-      {256, kWidth}, {257, kHeight}, {258, 8},     {259, 1}, {262, 1}, {273, 8}, {274, static_cast<std::size_t>(orientation)},
-      {277, 1},      {278, kHeight}, {279, pixels}};
-  put(bytes, std::size(entries), 2);
+  std::map<std::size_t, std::size_t> entries{{256, kWidth}, {257, kHeight}, {258, 8},       {259, 1},     {262, 1},
+                                             {273, 8},      {277, 1},       {278, kHeight}, {279, pixels}};
+  entries[given_tag] = given_value;
+  put(bytes, entries.size(), 2);
   for (const auto& [tag, value] : entries) put(bytes, tag, 2), put(bytes, 4, 2), put(bytes, 1, 4), put(bytes, value, 4);
   put(bytes, 0, 4);
   return bytes;
 }
 
 TEST(ImageFormat, ATiffIsTurnedByItsOwnTag) {
-  const Image plain = decode_image(tiff_lying(1), "x");
+  constexpr std::size_t kTurned = 274;
+  const Image plain = decode_image(tiff_with(kTurned, 1), "x");
   expect_pixels(plain, [](int x, int y) { return luma(colour_at(x, y)); });
-  const Image over_head = decode_image(tiff_lying(3), "x"), clockwise = decode_image(tiff_lying(6), "x");
+  const Image over_head = decode_image(tiff_with(kTurned, 3), "x"), clockwise = decode_image(tiff_with(kTurned, 6), "x");
   EXPECT_TRUE(std::equal(plain.grey.rbegin(), plain.grey.rend(), over_head.grey.begin()));
   ASSERT_EQ(std::pair(clockwise.width, clockwise.height), std::pair(kHeight, kWidth));
   for (int y = 0; y < kWidth; ++y)
@@ -227,6 +229,19 @@ TEST(ImageFormat, KindsThatAreNotReadAreNamed) {
   EXPECT_EQ(refusal(std::string("II+\0\x08\0\0\0", 8) + std::string(60, '\0')), sentence("a BigTIFF"));
   EXPECT_EQ(refusal(std::string("MM\0+\0\x08\0\0", 8) + std::string(60, '\0')), sentence("a BigTIFF"));
   EXPECT_EQ(refusal(webp_with(encode_webp(colour_pix(colour_at)), exif(1, false), 2)), sentence("an animated WebP"));
+}
+
+TEST(ImageFormat, KindsOfTiffThatAreNotReadAreNamed) {
+  constexpr std::size_t kBits = 258, kCompression = 259, kTileWidth = 322, kNumbers = 339;
+  const auto sentence = [](const std::string& what) { return "'x.png' is a TIFF of " + what + ", which inkgrid does not read"; };
+  EXPECT_EQ(refusal(tiff_with(kNumbers, 1)), "");
+  for (const std::size_t kind : {2u, 3u})
+    EXPECT_EQ(refusal(tiff_with(kNumbers, kind)), sentence("floating-point or signed numbers")) << kind;
+  for (const std::size_t bits : {3u, 12u, 32u, 64u})
+    EXPECT_EQ(refusal(tiff_with(kBits, bits)), sentence("an unusual depth")) << bits;
+  for (const std::size_t compression : {6u, 34712u, 50001u})
+    EXPECT_EQ(refusal(tiff_with(kCompression, compression)), sentence("an unusual compression")) << compression;
+  EXPECT_EQ(refusal(tiff_with(kTileWidth, 16)), sentence("tiles"));
 }
 
 }  // namespace

@@ -106,14 +106,24 @@ TEST(ImageIo, ResolutionIsInPixelsPerMillimetre) {
   }
 }
 
+TEST(ImageIo, AShapeOfPixelsIsNoResolution) {
+  PixOwner pix = grey_pix(8);
+  pixSetResolution(pix.get(), 254, 254);
+  std::string png = encode(pix, IFF_PNG);
+  const std::size_t unit = png.find("pHYs") + 12;
+  ASSERT_EQ(png.at(unit), 1);
+  png[unit] = 0;
+  EXPECT_EQ(decode_image(png, "x").pixels_per_mm, 0);
+}
+
 TEST(ImageIo, ReadingFiles) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "inkgrid_image_io";
   std::filesystem::create_directories(folder);
   const std::string file = (folder / "bytes.bin").string(), content("a\0b\xff\n", 5);
   std::ofstream(file, std::ios::binary) << content;
   EXPECT_EQ(read_bytes(file), content);
-  EXPECT_EQ(refusal([&] { read_bytes(folder.string()); }), "cannot read '" + folder.string() + "': it is a directory");
-  EXPECT_EQ(refusal([&] { read_bytes(file + ".none"); }), "cannot read '" + file + ".none': No such file or directory");
+  EXPECT_EQ(refusal([&] { read_bytes(folder.string()); }), "can't read '" + folder.string() + "': it is a directory");
+  EXPECT_EQ(refusal([&] { read_bytes(file + ".none"); }), "can't read '" + file + ".none': No such file or directory");
   std::filesystem::remove_all(folder);
 }
 

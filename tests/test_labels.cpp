@@ -63,6 +63,19 @@ TEST_P(StraightLine, IsLabelledAlongItself) {
 
 INSTANTIATE_TEST_SUITE_P(Labels, StraightLine, ::testing::Values(0.0, 25.0, 45.0, 90.0, 140.0));
 
+// Ink that is thickened by a pixel leaves no paper between them.
+TEST(Labels, StrokesOfTwoPixelsTwoPixelsApart) {
+  Lines lines;
+  for (int k = 0; k < 12; ++k) lines.push_back({{60, 101.0 + 4 * k}, {240, 101.0 + 4 * k}});
+  const Labelled l = labelled(lines, 2);
+  EXPECT_GT(expect_along(
+                l, [](Vec2 p) { return p.x > 80 && p.x < 220 && p.y > 110 && p.y < 137; },
+                [](Vec2) {
+                  return Vec2{1, 0};
+                }),
+            100);
+}
+
 TEST(Labels, BothArmsOfAnL) {
   const Labelled l = labelled({{{60, 60}, {60, 240}, {240, 240}}}, 10);
   EXPECT_GT(expect_along(

@@ -3,6 +3,7 @@
 #include "base/polyline.h"
 #include "drawn_bands.h"
 #include "refine/leftovers.h"
+#include "run_report.h"
 
 namespace inkgrid {
 namespace {
@@ -44,6 +45,21 @@ TEST(Leftovers, InkWithAChainIsLeftAlone) {
   const Chains left = mark_leftovers({{}, {chain_along({30, 51}, {90, 51})}}, ink, 2);
   EXPECT_EQ(left.chains.size(), 1u);
   EXPECT_FALSE(left.chains.front().mark);
+}
+
+TEST(Leftovers, AreCountedInWarnings) {
+  Report report;
+  report_leftovers({}, 6, report);
+  EXPECT_TRUE(report.warnings.empty());
+  report.fallback_components = 1;
+  report_leftovers({}, 6, report);
+  Chain mark = chain_along({20, 20}, {60, 20});
+  mark.mark = true;
+  report.fallback_components = 2;
+  report_leftovers({{}, {mark}}, 6, report);
+  EXPECT_EQ(report.warnings,
+            (std::vector<std::string>{"1 part of the drawing could not be solved", "2 parts of the drawing could not be solved",
+                                      "1 piece of ink became a straight mark, because no isoline follows it"}));
 }
 
 }  // namespace

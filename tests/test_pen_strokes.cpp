@@ -80,6 +80,12 @@ TEST(PenStrokes, SeveralShortTicksAreStrokesWhereNothingElseIs) {
   }
 }
 
+TEST(PenStrokes, TwoShortTicksAreNone) {
+  Image image = blank(300, 300);
+  for (const double x : {80.0, 200.0}) paint(image, {{x, 100}, {x + 20, 122}}, 24);
+  EXPECT_DOUBLE_EQ(strokes_of(image).width, 0);
+}
+
 TEST(PenStrokes, SeveralCompactShapesAreNone) {
   Image image = blank(300, 300);
   for (const double x : {20.0, 120.0, 220.0}) {

@@ -124,6 +124,12 @@ TEST(Pipeline, ASquareHasItsCorners) {
   EXPECT_LT(distance_between(lines_of(drawing), {square}), 1);
 }
 
+TEST(Pipeline, TheReportCountsPartsAndHolesOfTheBand) {
+  const Report report = vectorize(painted({circle({55, 60}, 30), circle({140, 60}, 35), {{20, 160}, {180, 170}}})).report;
+  EXPECT_EQ(report.components, 3);
+  EXPECT_EQ(report.holes, 2);
+}
+
 TEST(Pipeline, LinesApartStayTwo) {
   const std::vector<Line> truth{{{30, 80}, {170, 90}}, {{30, 100}, {170, 110}}};
   const Drawing drawing = traced(painted(truth));
@@ -266,7 +272,7 @@ TEST(Pipeline, AStopRequestIsHeard) {
   control.stop = before.get_token();
   EXPECT_EQ(code_of(control), static_cast<int>(ErrorCode::cancelled));
 
-  for (const char* stage : {"frame field", "grid map"}) {
+  for (const char* stage : {"frame field", "grid map", "isolines"}) {
     std::stop_source during;
     control.stop = during.get_token();
     control.progress = [&](const char* name, double) {

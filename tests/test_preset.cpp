@@ -159,6 +159,17 @@ TEST(Preset, PensOfDifferentWidthAreClean) {
   EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
+// The same with slits between the fine ones: what tells is how far their widths spread.
+TEST(Preset, PensOfDifferentWidthWithSlitsAreClean) {
+  Image image = blank(400, 300);
+  for (const double y : {40.0, 90.0}) paint(image, {{20, y}, {380, y + 4}}, 30);
+  for (int k = 0; k < 5; ++k) paint(image, {{20, 120.0 + 6 * k}, {380, 124.0 + 6 * k}}, 4);
+  const Sketchiness s = sketchiness_of(image);
+  EXPECT_GT(s.uneven_width, 1.8);
+  EXPECT_GT(s.slits, 0.03);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
+}
+
 // Its crossings are half of what is drawn, and wider than the pen; corners of its cells are no slits.
 TEST(Preset, CloseCrossHatchingIsClean) {
   for (const double pen : {4.0, 5.0, 6.0})

@@ -195,7 +195,7 @@ TEST(Project, SaysWhatIsWrongAndWhere) {
   expect("/surprise", 1, "'surprise'");
   expect("/options", 1, "options must be an object");
   expect("/options/spacing", 1e9, "spacing must be a number from 0.1 to 100");
-  expect("/options/spacing", true, "options.spacing");
+  expect("/options/spacing", true, "options.spacing must be a number or a text");
   expect("/options/preset", "tidy", "'tidy'");
   expect("/options/field-rounds", 2.5, "field-rounds must be a whole number");
   expect("/options/colour", 1, "'colour'");

@@ -265,7 +265,9 @@ TEST(SvgPage, OfAnotherSizeIsFittedToTheOneGiven) {
   EXPECT_EQ(end_on("viewBox='0 0 40 30' width='40' height='30'", 1), (Vec2{800, 600}));
   EXPECT_EQ(end_on("viewBox='0 0 40 30' width='804' height='603'", 0), (Vec2{804, 603}));
   EXPECT_EQ(end_on("width='40' height='30'", 1), (Vec2{800, 600}));
+  EXPECT_NEAR(end_on("width='880' height='660'", 1).x, 40 * 800 / 880.0, 1e-9);
   EXPECT_EQ(end_on("width='40' height='40'", 1), (Vec2{40, 30}));
+  EXPECT_EQ(end_on("width='40' height='33'", 1), (Vec2{40, 30}));
 }
 
 TEST(SvgPage, SaysPenSetAndOverdrawnCurves) {
@@ -289,10 +291,11 @@ TEST(SvgFile, EncodingsEntitiesAndPrefixes) {
 }
 
 TEST(SvgFile, CoordinatesBeyondReasonAreLeftOut) {
-  const auto curves = curves_of(stroke("M0 0L9 9L1e300 1e400L5 5") + stroke("M0 0L1e-400 1"));
-  ASSERT_EQ(curves.size(), 2u);
+  const auto curves = curves_of(stroke("M0 0L9 9L1e300 1e400L5 5") + stroke("M0 0L1e-400 1") + stroke("M0 0L9 9L1e10 0"));
+  ASSERT_EQ(curves.size(), 3u);
   EXPECT_EQ(curves[0].segments.size(), 1u);
   EXPECT_EQ(curves[1].segments[0].back(), (Vec2{0, 1}));
+  EXPECT_EQ(curves[2].segments.size(), 1u);
 }
 
 void expect_refused(const std::string& text, const std::string& reason) {

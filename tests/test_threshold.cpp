@@ -187,6 +187,15 @@ TEST(Threshold, FilledPatchIsInkToItsMiddle) {
   EXPECT_NEAR(static_cast<double>(ink_pixels(b)), std::numbers::pi * 110 * 110 + 10 * 220, 150);
 }
 
+// Its middle is so far from paper that the light of that says nothing of it.
+TEST(Threshold, APatchThatFillsMostOfThePictureIsInkToItsMiddle) {
+  Image image = blank(700, 700);
+  paint(image, {{350, 350}, {351, 350}}, 600, 25);
+  const Binarisation b = binarise(image, std::nullopt);
+  EXPECT_FALSE(b.inverted);
+  EXPECT_NEAR(static_cast<double>(ink_pixels(b)), std::numbers::pi * 300 * 300 + 600, 700);
+}
+
 TEST(Threshold, ShadeOfThePaperIsDividedOut) {
   for (const double depth : {0.3, 0.6}) {
     Image image = blank(400, 300);
@@ -292,6 +301,46 @@ TEST(Threshold, DotsSurvive) {
     for (int y = 80; y < 100; ++y)
       for (int x = 140; x < 160; ++x) dot += b.ink(x, y);
     EXPECT_NEAR(static_cast<double>(dot), 4 * std::numbers::pi, 4) << grain;
+  }
+}
+
+TEST(Threshold, ASpeckOfFourPixelsIsADotOnEvenPaperOnly) {
+  for (const double grain : {0.0, 4.0}) {
+    Image image = blank(300, 200);
+    paint(image, {{40, 20}, {40, 180}}, 4, 30);
+    for (const int x : {150, 151})
+      for (const int y : {90, 91}) pixel(image, x, y) = 30;
+    pixel(image, 280, 100) = 200;  // so that there are more than two tones
+    if (grain > 0) add_grain(image, grain);
+    const Binarisation b = binarise(image, std::nullopt);
+    long speck = 0;
+    for (int y = 80; y < 100; ++y)
+      for (int x = 140; x < 160; ++x) speck += b.ink(x, y);
+    if (grain > 0)
+      EXPECT_EQ(speck, 0);
+    else
+      EXPECT_EQ(speck, 4);
+  }
+}
+
+// Below half of the ink around it, but darker than paper.
+TEST(Threshold, APinholeThroughWhichNoPaperIsSeenIsFilled) {
+  for (const int grey : {150, 250}) {
+    Image image = blank(200, 100);
+    paint(image, {{30, 50}, {170, 50}}, 16, 20);
+    for (const int x : {100, 101})
+      for (const int y : {49, 50}) pixel(image, x, y) = static_cast<std::uint8_t>(grey);
+    EXPECT_EQ(binarise(image, std::nullopt).ink(100, 49), grey == 150) << grey;
+  }
+}
+
+TEST(Threshold, AFaintPatchWithoutADarkPixelIsNoInk) {
+  for (const int grey : {207, 190}) {
+    Image image = blank(200, 100);
+    paint(image, {{30, 20}, {170, 20}}, 5, 0);
+    for (int y = 60; y < 70; ++y)
+      for (int x = 90; x < 100; ++x) pixel(image, x, y) = static_cast<std::uint8_t>(grey);
+    EXPECT_EQ(binarise(image, std::nullopt).ink(95, 65), grey == 190) << grey;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/alternatives.h"
 #include "base/decimal.h"
 #include "base/overloaded.h"
 #include "export/writers.h"
@@ -66,15 +67,6 @@ Choice choice_of(const ExportOptionRow& row, std::string_view text) {
   const auto name = std::find(names.begin(), names.end(), text);
   if (name == names.end()) refuse(row, text);
   return static_cast<Choice>(name - names.begin());
-}
-
-std::string listed(std::span<const char* const> names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
-    text += names[i];
-  }
-  return text;
 }
 
 void validate(const ExportOptions& options) {
@@ -148,7 +140,7 @@ std::string accepted_values(const ExportOptionRow& row) {
   std::string range = "a number from " + shortest(row.least) + " to " + shortest(row.most);
   return std::visit(Overloaded{[&](double ExportOptions::*) { return range; },
                                [&](std::optional<double> ExportOptions::*) { return range + " or " + std::string(row.unset); },
-                               [](auto choice) { return listed(names_of((ExportOptions{}).*choice)); }},
+                               [](auto choice) { return alternatives(names_of((ExportOptions{}).*choice)); }},
                     row.member);
 }
 

@@ -31,10 +31,10 @@ struct Frame {
 Frame frame_of(Complex c0, Complex c2);
 
 struct FieldOptions {
-  double degenerate_angle = 30;  // degrees
-  double degenerate_ratio = 0.1;
-  double degenerate_fraction = 0.01;
-  int rounds = 100;
+  double degenerate_angle = Options{}.degenerate_angle;  // degrees
+  double degenerate_ratio = Options{}.degenerate_ratio;
+  double degenerate_fraction = Options{}.degenerate_fraction;
+  int rounds = Options{}.field_rounds;
   int threads = 0;  // 0: as many as the machine has
 };
 

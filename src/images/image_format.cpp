@@ -1,5 +1,6 @@
 #include "images/image_format.h"
 
+#include <bit>
 #include <cstdint>
 #include <stdexcept>
 #include <string_view>
@@ -48,34 +49,71 @@ void walk_jpeg(const Bytes& bytes, ImageHeader& header) {
   header.whole = true;
 }
 
-// The values of one entry of a TIFF directory.
-std::vector<std::uint32_t> tiff_values(const Bytes& bytes, std::size_t entry, bool big) {
-  const bool is_short = bytes.u16(entry + 2, big) == 3;
-  const std::size_t count = bytes.u32(entry + 4, big), each = is_short ? 2 : 4;
-  const std::size_t from = count * each <= 4 ? entry + 8 : bytes.u32(entry + 8, big);
-  if (from + count * each > bytes.size()) throw std::out_of_range("past the end of the file");
-  std::vector<std::uint32_t> values;
-  for (std::size_t i = 0; i < count; ++i)
-    values.push_back(is_short ? bytes.u16(from + i * each, big) : bytes.u32(from + i * each, big));
-  return values;
+// The first directory of a TIFF: what it says of the picture, by tags.
+class TiffDirectory {
+ public:
+  TiffDirectory(const Bytes& bytes, bool big) : bytes_(bytes), big_(big), at_(bytes.u32(4, big)), entries_(bytes.u16(at_, big)) {}
+
+  // None where the tag is not there.
+  std::vector<std::uint32_t> values(std::uint32_t tag) const {
+    for (std::size_t entry = at_ + 2; entry < at_ + 2 + 12 * entries_; entry += 12)
+      if (bytes_.u16(entry, big_) == tag) return values_of(entry);
+    return {};
+  }
+
+  std::uint32_t value(std::uint32_t tag, std::uint32_t by_default) const {
+    const std::vector<std::uint32_t> found = values(tag);
+    return found.empty() ? by_default : found.front();
+  }
+
+ private:
+  std::vector<std::uint32_t> values_of(std::size_t entry) const {
+    const bool is_short = bytes_.u16(entry + 2, big_) == 3;
+    const std::size_t count = bytes_.u32(entry + 4, big_), each = is_short ? 2 : 4;
+    const std::size_t from = count * each <= 4 ? entry + 8 : bytes_.u32(entry + 8, big_);
+    if (from + count * each > bytes_.size()) throw std::out_of_range("past the end of the file");
+    std::vector<std::uint32_t> values;
+    for (std::size_t i = 0; i < count; ++i)
+      values.push_back(is_short ? bytes_.u16(from + i * each, big_) : bytes_.u32(from + i * each, big_));
+    return values;
+  }
+
+  const Bytes& bytes_;
+  bool big_;
+  std::size_t at_, entries_;
+};
+
+// What Leptonica does not decode; "" for all else.
+const char* unread_tiff(const TiffDirectory& directory) {
+  constexpr std::uint32_t bits_tag = 258, compression_tag = 259, colours_tag = 262, samples_tag = 277, planes_tag = 284,
+                          tile_width_tag = 322, numbers_tag = 339;
+  constexpr std::uint32_t plain = 1, cmyk = 5, separate = 2, unsigned_numbers = 1;
+  constexpr std::uint32_t old_jpeg = 6, jpeg_2000 = 34712, webp = 50001;
+  const std::uint32_t bits = directory.value(bits_tag, 1), samples = directory.value(samples_tag, 1),
+                      compression = directory.value(compression_tag, plain);
+  const bool deep = bits == 16 && (samples == 2 || directory.value(colours_tag, 0) == cmyk);
+  if (directory.value(numbers_tag, unsigned_numbers) != unsigned_numbers) return "a TIFF of floating-point or signed numbers";
+  if (!std::has_single_bit(bits) || bits > 16 || deep) return "a TIFF of an unusual depth";
+  if (directory.value(tile_width_tag, 0) > 0) return "a TIFF of tiles";
+  if (samples > 1 && directory.value(planes_tag, plain) == separate) return "a TIFF of separate colours";
+  if (compression == old_jpeg || compression == jpeg_2000 || compression == webp) return "a TIFF of an unusual compression";
+  return "";
 }
 
-// All strips or tiles of the first picture lie within the file.
+// All strips of the first picture lie within the file.
 void walk_tiff(const Bytes& bytes, ImageHeader& header) {
-  constexpr std::uint32_t width = 256, height = 257, strip_offsets = 273, strip_sizes = 279, tile_offsets = 324, tile_sizes = 325;
+  constexpr std::uint32_t width = 256, height = 257, strip_offsets = 273, strip_sizes = 279;
   constexpr std::uint32_t of_64_bits = 43;
   const bool big = bytes.u8(0) == 'M';
-  if (bytes.u16(2, big) == of_64_bits) header.unread = "a BigTIFF";
-  const std::size_t directory = bytes.u32(4, big), entries = bytes.u16(directory, big);
-  std::vector<std::uint32_t> offsets, sizes;
-  for (std::size_t i = 0; i < entries; ++i) {
-    const std::size_t entry = directory + 2 + 12 * i;
-    const std::uint32_t tag = bytes.u16(entry, big);
-    if (tag == width) header.width = tiff_values(bytes, entry, big).at(0);
-    if (tag == height) header.height = tiff_values(bytes, entry, big).at(0);
-    if (tag == strip_offsets || tag == tile_offsets) offsets = tiff_values(bytes, entry, big);
-    if (tag == strip_sizes || tag == tile_sizes) sizes = tiff_values(bytes, entry, big);
+  if (bytes.u16(2, big) == of_64_bits) {
+    header.unread = "a BigTIFF";
+    return;
   }
+  const TiffDirectory directory(bytes, big);
+  header.width = directory.value(width, 0);
+  header.height = directory.value(height, 0);
+  header.unread = unread_tiff(directory);
+  const std::vector<std::uint32_t> offsets = directory.values(strip_offsets), sizes = directory.values(strip_sizes);
   header.whole = !offsets.empty() && offsets.size() == sizes.size();
   for (std::size_t i = 0; header.whole && i < offsets.size(); ++i)
     header.whole = sizes[i] > 0 && std::size_t{offsets[i]} + sizes[i] <= bytes.size();

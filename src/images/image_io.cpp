@@ -117,7 +117,7 @@ std::string slurp(std::FILE* stream, const std::string& name) {
   std::string bytes;
   std::array<char, 1 << 16> buffer;
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), stream)) bytes.append(buffer.data(), n);
-  if (std::ferror(stream)) refuse("cannot read " + quoted(name) + ": " + std::generic_category().message(errno));
+  if (std::ferror(stream)) refuse("can't read " + quoted(name) + ": " + std::generic_category().message(errno));
   return bytes;
 }
 
@@ -130,9 +130,9 @@ struct CloseFile {
 std::string read_bytes(const std::string& path) {
   if (path == "-") return slurp(stdin, path);
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse("cannot read " + quoted(path) + ": it is a directory");
+  if (std::filesystem::is_directory(path, ignored)) refuse("can't read " + quoted(path) + ": it is a directory");
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file) refuse("cannot read " + quoted(path) + ": " + std::generic_category().message(errno));
+  if (!file) refuse("can't read " + quoted(path) + ": " + std::generic_category().message(errno));
   return slurp(file.get(), path);
 }
 

@@ -10,6 +10,7 @@
 #include "base/at.h"
 #include "ink/ink.h"
 #include "inkgrid/image.h"
+#include "inkgrid/options.h"
 #include "inkgrid/vec2.h"
 
 namespace inkgrid {
@@ -56,9 +57,9 @@ constexpr int previous_halfedge(int halfedge) {
 }
 
 struct BandOptions {
-  double reach = 0.3;       // beta, strokes
-  double mesh_size = 0.25;  // largest circumdiameter, strokes
-  int threads = 0;          // 0: as many as the machine has
+  double reach = 0.3;                      // beta, strokes
+  double mesh_size = Options{}.mesh_size;  // largest circumdiameter, strokes
+  int threads = 0;                         // 0: as many as the machine has
 };
 
 // Triangles with their barycentre nearer than reach x stroke width x mask factor to a stroke pixel.  Every vertex's faces form

@@ -9,18 +9,19 @@
 
 #include "base/at.h"
 #include "base/transition.h"
+#include "inkgrid/options.h"
 #include "map/labels.h"
 #include "numerics/pair_ldl.h"
 
 namespace inkgrid {
 
 struct GridMapOptions {
-  double spacing = 1;             // lambda, strokes
-  double snap = 25;               // mu
-  double snap_sigma = 0.1;        // sigma
-  double damping = 1e-4;          // epsilon
-  double merge_difference = 0.5;  // grid units, of the local estimates
-  int threads = 0;                // 0: as many as the machine has
+  double spacing = 1;                                    // lambda, strokes
+  double snap = Options{}.snap;                          // mu
+  double snap_sigma = Options{}.snap_sigma;              // sigma
+  double damping = Options{}.damping;                    // epsilon
+  double merge_difference = Options{}.merge_difference;  // grid units, of the local estimates
+  int threads = 0;                                       // 0: as many as the machine has
 };
 
 // A corner is 3 f + k, the corner of face f at faces[f][k]; it belongs to halfedge 3 f + k, which starts there.

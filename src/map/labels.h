@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "inkgrid/options.h"
 #include "map/charts.h"
 
 namespace inkgrid {
@@ -17,9 +18,9 @@ enum class Label : std::uint8_t {
 };
 
 struct LabelOptions {
-  double length = 4;    // of a streamline, strokes
-  double ratio = 0.48;  // above it the triangle stays unlabelled
-  int threads = 0;      // 0: as many as the machine has
+  double length = Options{}.label_length;  // of a streamline, strokes
+  double ratio = Options{}.label_ratio;    // above it the triangle stays unlabelled
+  int threads = 0;                         // 0: as many as the machine has
 };
 
 // Labels carried from the ink over the paper between strokes of one line (faces in_stroke), breadth first through the charts.

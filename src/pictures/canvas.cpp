@@ -175,13 +175,14 @@ void Canvas::square(Vec2 centre, double half_side, Colour colour) {
 
 void Canvas::write_png(const std::string& path) const {
   const std::string beside = path + ".part";
-  std::error_code failure;
-  if (cairo_surface_write_to_png(surface_->image, beside.c_str()) == CAIRO_STATUS_SUCCESS) {
+  std::error_code failure, ignored;
+  const cairo_status_t status = cairo_surface_write_to_png(surface_->image, beside.c_str());
+  if (status == CAIRO_STATUS_SUCCESS) {
     std::filesystem::rename(beside, path, failure);
     if (!failure) return;
   }
-  std::filesystem::remove(beside, failure);
-  throw Error(ErrorCode::file, "The picture '" + path + "' cannot be written.");
+  std::filesystem::remove(beside, ignored);
+  throw Error(ErrorCode::file, "can't write '" + path + "': " + (failure ? failure.message() : cairo_status_to_string(status)));
 }
 
 }  // namespace inkgrid

@@ -236,7 +236,7 @@ bool paint_stage(std::string_view name, Painter& painter, const Stages& stages) 
 void write_stage_pictures(const std::string& directory, const Image& image, const Stages& stages) {
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
-  if (failure) throw Error(ErrorCode::file, "The directory '" + directory + "' for stage pictures cannot be made.");
+  if (failure) throw Error(ErrorCode::file, "can't make the directory '" + directory + "': " + failure.message());
   int number = 0;
   for (const StagePicture& picture : kPictures) {
     Canvas canvas(image, stages.ink.inverted);

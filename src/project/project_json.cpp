@@ -66,6 +66,11 @@ class Value {
     return json_.get<std::string>();
   }
 
+  std::string text_or_number() const {
+    if (!is_text() && !json_.is_number()) refuse(place() + " must be a number or a text");
+    return is_text() ? text() : shortest(json_.get<double>());
+  }
+
   double number(double least, double most) const {
     const double value = json_.is_number() ? json_.get<double>() : std::nan("");
     if (!(least <= value && value <= most))
@@ -108,11 +113,7 @@ ImageFile file_of(const Value& value) {
 
 Options options_of(const Value& value) {
   Options options;
-  for (const std::string& name : value.names()) {
-    const Value option = value.at(name);
-    const double most = std::numeric_limits<double>::max();
-    set_option(options, option_row(name), option.is_text() ? option.text() : shortest(option.number(-most, most)));
-  }
+  for (const std::string& name : value.names()) set_option(options, option_row(name), value.at(name).text_or_number());
   return options;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kLeastRun = 1.0;  // strokes along which old and new must agree around a cut
 constexpr double kFade = 2.0;      // strokes over which a new chain is led over into the old one
 constexpr double kSameWay = 0.9;   // cosine
+constexpr double kNextPoints = 8;  // of a new chain, within which it goes on beside the next point of an old one
 
 enum class Place { inside, between, outside };
 
@@ -112,44 +113,56 @@ class Zone {
   const GraftZone& zone_;
 };
 
-// The middle of each stretch between inside and outside along which an old chain agrees with one new chain.
+// A point of an old chain, and where it lies on a new one.
+struct Agreement {
+  int point;
+  Spot spot;
+};
+
+std::optional<Spot> agreeing_spot(const std::vector<Vec2>& points, int k, const Chains& new_chains, const SegmentBins& bins,
+                                  const Zone& zone) {
+  if (zone.place_of(points[at(k)]) != Place::between) return std::nullopt;
+  const std::optional<Spot> spot = bins.nearest(points[at(k)]);
+  if (!spot) return std::nullopt;
+  const auto& fresh = new_chains.chains[at(spot->chain)].points;
+  const Vec2 along = tangent_at(points, k, 2, false), other = tangent_at(fresh, static_cast<int>(spot->at), 2, false);
+  return std::abs(dot(along, other)) < kSameWay ? std::nullopt : spot;
+}
+
+bool goes_on(const Spot& from, const Spot& to) {
+  return from.chain == to.chain && std::abs(from.at - to.at) < kNextPoints;
+}
+
+// In the middle half of a run that is long enough, where the chains are nearest to each other.
+std::optional<Cut> cut_in(const std::vector<Agreement>& run, int old_chain, const std::vector<Vec2>& points,
+                          double stroke_width) {
+  if (run.size() < 3) return std::nullopt;
+  double length = 0;
+  for (auto i = run.begin(); i + 1 < run.end(); ++i) length += norm(points[at((i + 1)->point)] - points[at(i->point)]);
+  if (length < kLeastRun * stroke_width) return std::nullopt;
+  const auto quarter = static_cast<std::ptrdiff_t>(run.size() / 4);
+  const auto nearest = std::min_element(run.begin() + quarter, run.end() - quarter,
+                                        [](const Agreement& a, const Agreement& b) { return a.spot.distance < b.spot.distance; });
+  return Cut{old_chain, nearest->point, nearest->spot, run.back().spot.at > run.front().spot.at};
+}
+
+// One in each stretch between inside and outside along which an old chain agrees with one new chain.
 std::vector<Cut> find_cuts(const Chains& old_chains, const Chains& new_chains, const Zone& zone, const GraftOptions& options) {
   const SegmentBins bins(new_chains.chains, options.tolerance);
   std::vector<Cut> cuts;
   for (int c = 0; c < static_cast<int>(old_chains.chains.size()); ++c) {
     const auto& points = old_chains.chains[at(c)].points;
-    struct Agreement {
-      int point;
-      Spot spot;
-    };
     std::vector<Agreement> run;
     const auto close_run = [&] {
-      const auto first = run.begin(), last = run.end() - 1;
-      double length = 0;
-      for (auto i = run.begin(); i + 1 < run.end(); ++i) length += norm(points[at((i + 1)->point)] - points[at(i->point)]);
-      if (run.size() >= 3 && length >= kLeastRun * options.stroke_width) {
-        const auto quarter = static_cast<std::ptrdiff_t>(run.size() / 4);
-        const auto nearest = std::min_element(first + quarter, run.end() - quarter, [](const Agreement& a, const Agreement& b) {
-          return a.spot.distance < b.spot.distance;
-        });
-        cuts.push_back({c, nearest->point, nearest->spot, last->spot.at > first->spot.at});
-      }
+      if (const auto cut = cut_in(run, c, points, options.stroke_width)) cuts.push_back(*cut);
       run.clear();
     };
     for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-      std::optional<Spot> spot;
-      if (zone.place_of(points[at(k)]) == Place::between) spot = bins.nearest(points[at(k)]);
-      if (spot) {
-        const auto& fresh = new_chains.chains[at(spot->chain)].points;
-        const Vec2 along = tangent_at(points, k, 2, false), other = tangent_at(fresh, static_cast<int>(spot->at), 2, false);
-        if (std::abs(dot(along, other)) < kSameWay) spot.reset();
-      }
-      const bool goes_on =
-          spot && !run.empty() && run.back().spot.chain == spot->chain && std::abs(run.back().spot.at - spot->at) < 8;
-      if (!run.empty() && !goes_on) close_run();
+      const std::optional<Spot> spot = agreeing_spot(points, k, new_chains, bins, zone);
+      if (!spot || (!run.empty() && !goes_on(run.back().spot, *spot))) close_run();
       if (spot) run.push_back({k, *spot});
     }
-    if (!run.empty()) close_run();
+    close_run();
   }
   return cuts;
 }

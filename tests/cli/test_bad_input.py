@@ -129,7 +129,8 @@ class OutputsThatCantBe(CommandTest):
         self.refuse(FILE, 'drawing.png', '--report', 'missing/report.json')
 
     def test_stages_below_a_file(self):
-        self.refuse(FILE, 'drawing.png', '--stages', 'drawing.png')
+        self.put('letter.txt', b'Dear reader')
+        self.refuse(FILE, 'drawing.png', '--stages', 'letter.txt')
         self.refuse(FILE, 'drawing.png', '--stages', 'drawing.png/stages')
 
     def test_name_that_is_too_long(self):
@@ -192,6 +193,11 @@ class CommandLinesThatContradict(CommandTest):
     def test_option_given_twice(self):
         self.assertIn('snap', self.refuse(USAGE, 'drawing.png', '--snap', '20', '--snap', '30'))
 
+    def test_empty_name(self):
+        for option in ('-o', '--output', '--format', '--project', '--save-project', '--mask', '--report', '--stages'):
+            with self.subTest(option=option):
+                self.assertIn('name is missing', self.refuse(USAGE, 'drawing.png', option, ''))
+
     def test_value_out_of_range(self):
         for option, value in (('--threshold', '256'), ('--threshold', '-1'), ('--reach', 'wide'), ('--spacing', '0'), ('--spacing', 'nan'),
                               ('--coverage-bins', '2.5'), ('--preset', 'tidy'), ('--threads', '-2')):
@@ -220,6 +226,10 @@ class CommandLinesThatContradict(CommandTest):
         self.refuse(USAGE, 'drawing.png', '--report', 'drawing.svg')
         self.refuse(USAGE, 'drawing.png', '--report', 'drawing.png')
         self.refuse(USAGE, 'drawing.png', '-o', '-', '--report', '-')
+
+    def test_output_in_place_of_the_directory_of_the_stages(self):
+        self.refuse(USAGE, 'drawing.png', '--stages', 'why', '-o', 'why')
+        self.refuse(USAGE, 'drawing.png', '--stages', 'drawing.png')
 
     def test_two_drawings_into_one_file(self):
         self.put('other.png', png(cross()))
