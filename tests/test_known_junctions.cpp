@@ -91,55 +91,88 @@ TEST_P(EachCorner, AnAcuteCornerIsSharpAndHasNoSpur) {
 INSTANTIATE_TEST_SUITE_P(ThinCorners, EachCorner, ::testing::Combine(::testing::Values(3.0), ::testing::Range(25, 65, 5)));
 INSTANTIATE_TEST_SUITE_P(Corners, EachCorner, ::testing::Combine(::testing::Values(6.0), ::testing::Range(15, 65, 5)));
 
-class EachPoint : public ::testing::TestWithParam<std::tuple<double, int>> {
- protected:
-  // Points whose sides have this curvature, 1/pens, in eight directions beside a ring of the same pen, which says how wide it is:
-  // how many are one sharp curve.
-  static int sharp_points(double curvature) {
-    int sharp = 0;
-    for (const double turn : {0.0, 17.0, 35.0, 52.0, 71.0, 90.0, 113.0, 148.0}) sharp += is_sharp(turn, curvature);
-    return sharp;
+// Lines around the middle of a picture, in a ring of the same pen, which says how wide it is.
+struct Ringed {
+  std::vector<Line> truth;
+  Drawing drawing;
+
+  Ringed(const std::vector<Line>& lines, double pen) {
+    const double size = 64 * pen;
+    const Vec2 centre{size / 2, size / 2};
+    Line ring;
+    for (int k = 0; k <= 120; ++k) ring.push_back(polar(29 * pen, 3 * k * kDegree));
+    truth = lines;
+    truth.push_back(ring);
+    for (Line& line : truth)
+      for (Vec2& p : line) p += centre;
+    drawing = traced(painted(truth, pen, static_cast<int>(size), static_cast<int>(size)), Preset::clean);
   }
 
- private:
-  static Line point_of(double pen, double degrees, double turn, double curvature) {
+  bool is_right(double pen) const { return distance_between(lines_of(drawing), truth) < 0.5 * pen + 0.5; }
+};
+
+// In how many of eight directions, degrees, something holds.
+template <class Holds>
+int directions(const Holds& holds) {
+  int count = 0;
+  for (const double turn : {0.0, 17.0, 35.0, 52.0, 71.0, 90.0, 113.0, 148.0}) count += holds(turn);
+  return count;
+}
+
+class EachPoint : public ::testing::TestWithParam<std::tuple<double, int>> {
+ protected:
+  // One curve with a sharp tip, if its sides have this curvature, 1/pens.
+  static bool is_sharp(double turn, double curvature) {
+    const auto [pen, degrees] = GetParam();
+    const Vec2 tip = polar(-12 * pen, turn * kDegree);
     Line line;
     for (const double side : {-1.0, 1.0})
       for (int k = 0; k <= 40; ++k) {
-        const double length = 25 * pen * (side < 0 ? 40 - k : k) / 40;
-        const double angle = side * (0.5 * degrees * kDegree + 0.5 * curvature * length / pen);
-        line.push_back(polar(length, turn * kDegree + angle));
+        const double length = 25.0 * (side < 0 ? 40 - k : k) / 40;
+        const double angle = side * (0.5 * degrees * kDegree + 0.5 * curvature * length);
+        line.push_back(tip + polar(length * pen, turn * kDegree + angle));
       }
-    return line;
-  }
-
-  static bool is_sharp(double turn, double curvature) {
-    const auto [pen, degrees] = GetParam();
-    const double size = 64 * pen;
-    const Vec2 centre{size / 2, size / 2}, tip = centre - polar(12 * pen, turn * kDegree);
-    Line truth = point_of(pen, degrees, turn, curvature), ring;
-    for (Vec2& p : truth) p += tip;
-    for (int k = 0; k <= 120; ++k) ring.push_back(centre + polar(29 * pen, 3 * k * kDegree));
-    const Drawing drawing = traced(painted({truth, ring}, pen, static_cast<int>(size), static_cast<int>(size)), Preset::clean);
-    return drawing.curves.size() == 2 && free_ends(drawing) == 2 && distance(tip, lines_of(drawing)) < 0.5 * pen + 0.5 &&
-           distance_between(lines_of(drawing), {truth, ring}) < 0.5 * pen + 0.5;
+    const Ringed ringed({line}, pen);
+    return ringed.drawing.curves.size() == 2 && free_ends(ringed.drawing) == 2 && ringed.is_right(pen) &&
+           distance(ringed.truth[0][40], lines_of(ringed.drawing)) < 0.5 * pen + 0.5;
   }
 };
 
 TEST_P(EachPoint, OfStraightSidesIsSharp) {
-  EXPECT_GE(sharp_points(0), 6);
+  EXPECT_GE(directions([](double turn) { return is_sharp(turn, 0); }), 6);
 }
 
 using EachBentPoint = EachPoint;
 
 TEST_P(EachBentPoint, IsSharp) {
-  EXPECT_GE(sharp_points(0.02), 6);
+  EXPECT_GE(directions([](double turn) { return is_sharp(turn, 0.02); }), 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Points, EachPoint,
                          ::testing::Combine(::testing::Values(2.0, 4.0, 6.0), ::testing::Values(12, 15, 20, 25)));
 INSTANTIATE_TEST_SUITE_P(FinestPoints, EachPoint, ::testing::Combine(::testing::Values(4.0, 8.0), ::testing::Values(10)));
 INSTANTIATE_TEST_SUITE_P(BentPoints, EachBentPoint, ::testing::Combine(::testing::Values(5.0), ::testing::Values(15, 25)));
+
+class EachThinCrossing : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+// Over as many pens as a corner's, and paper that is too narrow to show.
+TEST_P(EachThinCrossing, IsOneJunction) {
+  const auto [pen, degrees] = GetParam();
+  const auto is_one = [pen = pen, degrees = degrees](double turn) {
+    std::vector<Line> lines;
+    for (const double side : {-0.5, 0.5}) {
+      const Vec2 along = polar(24 * pen, (turn + side * degrees) * kDegree);
+      lines.push_back({-along, along});
+    }
+    const Ringed ringed(lines, pen);
+    return ringed.drawing.curves.size() == 5 && ringed.drawing.junctions.size() == 1 && free_ends(ringed.drawing) == 4 &&
+           ringed.is_right(pen);
+  };
+  EXPECT_GE(directions(is_one), 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Crossings, EachThinCrossing, ::testing::Combine(::testing::Values(2.0), ::testing::Values(12, 20)));
+INSTANTIATE_TEST_SUITE_P(BroaderCrossings, EachThinCrossing, ::testing::Combine(::testing::Values(3.0), ::testing::Values(20)));
 
 class EachRounding : public ::testing::TestWithParam<std::tuple<double, int>> {};
 

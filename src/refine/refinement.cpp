@@ -115,7 +115,7 @@ class Refinement {
   // Arms go to where they meet, and free ends to what they lead to.
   Chains joined(Chains chains) const {
     Blots blots = meet_in_blots(follow_ridges(chains.chains, bands_, ridge_), chains.junctions, bands_, drawn_,
-                                {kLongestBlot * options_.pen, options_.pen, bridge_});
+                                {longest_blot() + hidden(), options_.pen, bridge_});
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), corner_ink(), corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
     if (is_slimmed()) {
@@ -134,12 +134,12 @@ class Refinement {
     RidgeOptions middle = ridge_;
     middle.slit = options_.slit * width_;
     middle.corners = is_fine();
-    auto ridges = open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, corner_ink(),
-                               corners(kLongestBlot * options_.pen));
+    auto ridges =
+        open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, corner_ink(), corners(longest_blot()));
     chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
     if (is_slimmed()) chains = drop_knots(std::move(chains), options_.pen - width_);
-    chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * kLongestBlot * options_.pen);
+    chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * longest_blot());
     chains = drop_hooks(std::move(chains), kSeenOfPen * options_.pen, kLongestHook * options_.pen);
     if (is_slimmed()) chains = merge_junctions(std::move(chains), kOnePlace * options_.pen, kOnePlace * options_.pen);
     chains = drop_spurs(std::move(chains), resolution_.spur);
@@ -149,11 +149,14 @@ class Refinement {
  private:
   bool is_fine() const { return options_.spacing < 1; }  // a grid that keeps strokes apart which run side by side
   bool is_slimmed() const { return width_ < options_.pen; }
+  double longest_blot() const { return kLongestBlot * options_.pen; }
+  double hidden() const { return is_fine() ? kHidden : 0; }
   CornerInk corner_ink() const { return {ink_.mask, drawn_}; }
 
   CornerOptions corners(double longest) const {
     CornerOptions corners{longest, kTipMiss * options_.pen, 0, 0};
-    if (is_fine()) corners.hidden = kHidden, corners.pen = options_.pen;
+    corners.hidden = hidden();
+    if (is_fine()) corners.pen = options_.pen;
     return corners;
   }
 
