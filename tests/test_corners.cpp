@@ -221,6 +221,32 @@ TEST(Corners, ArmsMeetOverInkThatSlimmingTook) {
   EXPECT_EQ(join_arms(open_arms(20), {}, {slim, slim}, {40, 3.6}).ridges.size(), 2u);
 }
 
+TEST(Corners, ArmsEndInTheJunctionThatTheirForkHas) {
+  const Vec2 fork = kTip + Vec2{1, 1};
+  auto ridges = open_arms(20);
+  ridges.push_back(ridge_along({kTip + Vec2{60, 0}, fork}, -1, 0, 0, 5));
+  ridges.push_back(ridge_along({kTip + Vec2{0, 60}, fork}, -1, 0, 0, 5));
+  ridges.push_back(ridge_along({fork, kTip - Vec2{12, 0}}, 0, -1, 0, 12));
+  const auto joined = join_arms(ridges, {fork}, plain(fork_ink(20, 60)), {40, 3.6, 16, kWidth});
+  EXPECT_EQ(joined.junctions.size(), 1u);
+  ASSERT_EQ(joined.ridges.size(), 4u) << "what led into the blot is gone";
+  for (const auto& ridge : joined.ridges) EXPECT_EQ(ridge.chain.end_junction, 0);
+}
+
+TEST(Corners, WhatIsConfirmedUpToTheTipIsNoSideOfAnAcuteCorner) {
+  const Raster<std::uint8_t> ink = fork_ink(20, 0);
+  auto ridges = open_arms(20);
+  ridges[0] = ridge_along({side(-10, 80), kTip}, -1, -1, 0, 0);
+  ridges[0].chain.confirmed = 80;
+  EXPECT_EQ(join_arms(ridges, {}, plain(ink), {40, 3.6, 16, kWidth}).ridges.size(), 2u);
+}
+
+TEST(Corners, WhatFacesTheEndOfAnotherChainIsNoTip) {
+  auto ridges = cut_corner(30, 10);
+  ridges.push_back(ridge_along({kTip + Vec2{6, 0}, kTip + Vec2{60, 0}}, -1, -1, 0, 0));
+  EXPECT_EQ(open_corners(ridges, {kTip}, plain(all_ink()), {25, 3.6}).size(), 4u);
+}
+
 Arrival arrival_along(Vec2 point, Vec2 direction) {
   return {true, point, unit(direction), 0, {}};
 }

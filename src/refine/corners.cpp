@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "base/at.h"
 #include "base/polyline.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kGoesOn = 0.4;    // cosine of the angle between a side and the tip: more is a branch
 constexpr double kArms = 0.17;     // cosine of the widest angle between arms that share a blot, 80 degrees
+constexpr double kApart = 0.5;     // strokes
+constexpr double kFacing = 1.5;    // strokes between ends that may go on into each other
 constexpr double kInside = 0.4;    // strokes that the ink goes on behind a corner that is all but straight
 constexpr double kIsolated = 0.5;  // strokes: confirmed parts shorter than this between others that are not are none
 constexpr double kPaper = 1;       // px that rough rims may leave on the way to a tip
@@ -69,12 +72,22 @@ class Corners {
     for (const End& e : at)
       if (e.chain != stub.chain) sides.push_back(arrival_at(ridge(e.chain), e.at_start));
     if (sides.size() != 2) return false;
-    const auto meeting = meeting_of_sides(sides[0], sides[1], 0, options_);
-    if (!meeting) return false;
     const Vec2 outermost = tip_of({stub.chain, !stub.at_start}), outward = unit(outermost - tip_of(stub));
     const auto goes_on = [&](const Arrival& side) { return dot(side.direction, outward) > kGoesOn; };
-    return norm(*meeting - outermost) < miss_of(sides[0], sides[1], tip.width, options_) && goes_on(sides[0]) &&
-           goes_on(sides[1]);
+    if (!goes_on(sides[0]) || !goes_on(sides[1]) || faces_end(stub.chain, outermost)) return false;
+    const double miss = miss_of(sides[0], sides[1], tip.width, options_);
+    const auto meetings = meetings_of_sides(sides[0], sides[1], 0, options_);
+    return std::any_of(meetings.begin(), meetings.end(), [&](Vec2 meeting) { return norm(meeting - outermost) < miss; });
+  }
+
+  // Whether another chain ends near there, with which this one may go on.
+  bool faces_end(int c, Vec2 end) {
+    for (int other = 0; other < static_cast<int>(ridges_.size()); ++other)
+      for (const bool at_start : {true, false}) {
+        if (other == c || !is_free({other, at_start})) continue;
+        if (norm(tip_of({other, at_start}) - end) < kFacing * std::max(chain(c).width, chain(other).width)) return true;
+      }
+    return false;
   }
 
   void drop_tips() {
@@ -189,9 +202,17 @@ class Corners {
     if (const auto tip = corner_of(a.line, b.line, width, ink_.drawn, options_, options_.longest)) {
       const bool fits = at_end_of_ink ? ends_behind(*tip, a.line, b.line, width, ink_.slim, options_)
                                       : dot(a.line.direction, b.line.direction) > kArms && !passed_by(*tip, width);
-      if (fits) return SharedTip{settled_tip(*tip, a.line, b.line, width, ink_, options_), a.line, b.line};
+      const SharedTip shared{settled_tip(*tip, a.line, b.line, width, ink_, options_), a.line, b.line};
+      if (fits && are_apart(shared, width)) return shared;
     }
     return acute_tip(a, b, width);
+  }
+
+  // What the ink confirms nearer to the tip of an acute corner than its sides are apart is no side of it.
+  bool are_apart(const SharedTip& shared, double width) const {
+    if (options_.hidden == 0 || !is_acute(shared.a, shared.b)) return true;
+    const double nearest = std::min(norm(shared.point - shared.a.point), norm(shared.point - shared.b.point));
+    return 2 * nearest * half_sine(shared.a, shared.b) > kApart * width;
   }
 
   // The same where a chain may lead into the blot, which hides more than its arms do.
@@ -200,8 +221,9 @@ class Corners {
          {std::pair{a.behind_stem, b.line}, std::pair{a.line, b.behind_stem}, std::pair{a.behind_stem, b.behind_stem}}) {
       if (!one.known || !other.known || !is_acute(one, other)) continue;
       const auto tip = corner_of(one, other, width, ink_.drawn, options_, options_.longest + options_.hidden);
-      if (tip && ends_behind(*tip, one, other, width, ink_.slim, options_))
-        return SharedTip{settled_tip(*tip, one, other, width, ink_, options_), one, other};
+      if (!tip || !ends_behind(*tip, one, other, width, ink_.slim, options_)) continue;
+      const SharedTip shared{settled_tip(*tip, one, other, width, ink_, options_), one, other};
+      if (are_apart(shared, width)) return shared;
     }
     return std::nullopt;
   }
@@ -242,26 +264,41 @@ class Corners {
     const auto shared = shared_tip(arm_at(a), arm_at(b), at_end_of_ink);
     if (!shared) return;
     const double width = width_of(a, b);
-    const Vec2 tip = shared->point;
-    const bool corner = ends_behind(tip, shared->a, shared->b, width, ink_.slim, options_);
+    const bool corner = ends_behind(shared->point, shared->a, shared->b, width, ink_.slim, options_);
+    const int fork = corner ? -1 : junction_at_tip(shared->point, width);
+    const Vec2 tip = fork < 0 ? shared->point : junctions_[at(fork)];
     lead_to(a, shared->a, tip);
     lead_to(b, shared->b, tip);
-    if (corner) drop_between(a, b, *shared, width);
+    if (corner || fork >= 0) drop_between(a, b, *shared, width, fork);
+    if (fork >= 0) return end_at(fork, {a, b});
     const auto stem = corner ? std::nullopt : stem_at(a, b, tip, width);
     if (!stem) return join(a, b);
-    const int junction = static_cast<int>(junctions_.size());
     junctions_.push_back(tip);
-    for (const End& e : {a, b, *stem}) junction_at(ridge(e.chain).chain, e.at_start) = junction;
+    end_at(static_cast<int>(junctions_.size()) - 1, {a, b, *stem});
   }
 
-  // Chains in the blot of a corner that lead nowhere else.
-  void drop_between(End a, End b, const SharedTip& shared, double width) {
+  void end_at(int junction, std::initializer_list<End> ends) {
+    for (const End& e : ends) junction_at(ridge(e.chain).chain, e.at_start) = junction;
+  }
+
+  // The junction of other chains that a fork has already, or -1.
+  int junction_at_tip(Vec2 tip, double width) const {
+    int found = -1;
+    for (const auto& ridge : ridges_)
+      for (const int junction : {ridge.chain.start_junction, ridge.chain.end_junction})
+        if (junction >= 0 && norm(junctions_[at(junction)] - tip) < (found < 0 ? width : norm(junctions_[at(found)] - tip)))
+          found = junction;
+    return found;
+  }
+
+  // Chains in the blot of a corner, or of a fork with this junction, that lead nowhere else.
+  void drop_between(End a, End b, const SharedTip& shared, double width, int fork) {
     std::vector<int> inside;
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c)
       if (c != a.chain && c != b.chain && lies_between(chain(c).points, shared, width)) inside.push_back(c);
     for (bool changed = true; changed;) {
       const std::size_t before = inside.size();
-      std::erase_if(inside, [&](int c) { return leads_out(c, inside); });
+      std::erase_if(inside, [&](int c) { return leads_out(c, inside, fork); });
       changed = inside.size() < before;
     }
     for (const int c : inside) clear(ridge(c));
@@ -276,10 +313,10 @@ class Corners {
     });
   }
 
-  // Whether another chain than these begins where this one ends.
-  bool leads_out(int c, const std::vector<int>& inside) const {
+  // Whether another chain than these begins where this one ends, but for the fork.
+  bool leads_out(int c, const std::vector<int>& inside, int fork) const {
     for (const int junction : {chain(c).start_junction, chain(c).end_junction}) {
-      if (junction < 0) continue;
+      if (junction < 0 || junction == fork) continue;
       for (int other = 0; other < static_cast<int>(ridges_.size()); ++other) {
         const bool begins = chain(other).start_junction == junction || chain(other).end_junction == junction;
         if (begins && !std::binary_search(inside.begin(), inside.end(), other)) return true;

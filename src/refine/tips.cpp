@@ -43,20 +43,24 @@ double miss_of(const Arrival& a, const Arrival& b, double width, const CornerOpt
   return options.miss + kSideError * width / half_sine(a, b);
 }
 
-std::optional<Vec2> meeting_of_sides(const Arrival& a, const Arrival& b, double passed, const CornerOptions& options) {
-  const bool bends_count = options.hidden > 0 && is_pointed(a, b);
-  const auto bent = bends_count ? bent_meeting_of(a, b, options.longest + options.hidden) : std::nullopt;
-  return bent ? bent : meeting_of(a, b, passed);
+std::vector<Vec2> meetings_of_sides(const Arrival& a, const Arrival& b, double passed, const CornerOptions& options) {
+  std::vector<Vec2> meetings;
+  if (options.hidden > 0 && is_pointed(a, b))
+    if (const auto bent = bent_meeting_of(a, b, options.longest + options.hidden)) meetings.push_back(*bent);
+  if (const auto straight = meeting_of(a, b, passed)) meetings.push_back(*straight);
+  return meetings;
 }
 
 std::optional<Vec2> corner_of(const Arrival& a, const Arrival& b, double width, const Raster<std::uint8_t>& ink,
                               const CornerOptions& options, double longest) {
-  const auto meeting = meeting_of_sides(a, b, 0.5 * width, options);
-  if (!meeting || dot(a.direction, b.direction) < -kSharp) return std::nullopt;
-  if (std::max(norm(*meeting - a.point), norm(*meeting - b.point)) > longest) return std::nullopt;
-  if (!nearest(ink, *meeting, std::uint8_t{0})) return std::nullopt;
-  if (!over_ink(ink, a.point, *meeting, kPaper) || !over_ink(ink, b.point, *meeting, kPaper)) return std::nullopt;
-  return meeting;
+  if (dot(a.direction, b.direction) < -kSharp) return std::nullopt;
+  for (const Vec2 meeting : meetings_of_sides(a, b, 0.5 * width, options)) {
+    const bool near = std::max(norm(meeting - a.point), norm(meeting - b.point)) <= longest;
+    if (near && nearest(ink, meeting, std::uint8_t{0}) && over_ink(ink, a.point, meeting, kPaper) &&
+        over_ink(ink, b.point, meeting, kPaper))
+      return meeting;
+  }
+  return std::nullopt;
 }
 
 bool ends_behind(Vec2 tip, const Arrival& a, const Arrival& b, double width, const Raster<std::uint8_t>& ink,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/raster.h"
 #include "refine/arrival.h"
@@ -33,11 +34,11 @@ double miss_of(const Arrival& a, const Arrival& b, double width, const CornerOpt
 // Of half the angle between them.
 double half_sine(const Arrival& a, const Arrival& b);
 
-// Where two sides meet that both lead there, or that passed it by no more than `passed` px; those of a point bent as they are,
-// where acute corners count.
-std::optional<Vec2> meeting_of_sides(const Arrival& a, const Arrival& b, double passed, const CornerOptions& options);
+// Where two sides may meet that both lead there, or that passed it by no more than `passed` px: those of a point bent as they
+// are, where acute corners count, and then as straight lines.
+std::vector<Vec2> meetings_of_sides(const Arrival& a, const Arrival& b, double passed, const CornerOptions& options);
 
-// The same if that is a sharp turn over ink, within `longest` px.
+// The first of them that is a sharp turn over ink, within `longest` px.
 std::optional<Vec2> corner_of(const Arrival& a, const Arrival& b, double width, const Raster<std::uint8_t>& ink,
                               const CornerOptions& options, double longest);
 
