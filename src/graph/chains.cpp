@@ -161,6 +161,11 @@ bool is_loop(const Chain& chain) {
   return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
 }
 
+void keep_chains(Chains& chains, const std::vector<std::uint8_t>& kept) {
+  std::size_t c = 0;
+  std::erase_if(chains.chains, [&](const Chain&) { return kept[c++] == 0; });
+}
+
 void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept) {
   std::vector<int> numbers(kept.size(), -1);
   std::vector<Vec2> junctions;
