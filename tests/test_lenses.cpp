@@ -90,11 +90,25 @@ TEST(Lenses, ABeadOnALineStays) {
 }
 
 TEST(Lenses, WhereAnotherLineMeetsThemTheyStay) {
-  Chains chains = parted(4);
-  Chain branch = bow(160, 200, 0, 1, -1);
-  for (Vec2& p : branch.points) p = Vec2{160, 100} + Vec2{0, p.x - 160};
-  chains.chains.push_back(branch);
-  EXPECT_EQ(join_lenses(chains, kStroke).chains.size(), 5u);
+  for (const int junction : {0, 1}) {
+    Chains chains = parted(4);
+    const Vec2 place = chains.junctions[static_cast<std::size_t>(junction)];
+    Chain branch = bow(160, 200, 0, junction, -1);
+    for (Vec2& p : branch.points) p = place + Vec2{0, p.x - 160};
+    chains.chains.push_back(branch);
+    EXPECT_EQ(join_lenses(chains, kStroke).chains.size(), 5u) << junction;
+  }
+}
+
+TEST(Lenses, OfEqualStrokesTheLineIsInTheMiddle) {
+  Chains chains = parted(0);
+  for (std::size_t c : {1u, 2u}) chains.chains[c].width = 0;
+  for (Vec2& p : chains.chains[1].points) p.y += p.x > 100 && p.x < 160 ? 2 : 0;
+  const Chains result = join_lenses(chains, kStroke);
+  ASSERT_EQ(result.chains.size(), 1u);
+  double highest = 0;
+  for (const Vec2 p : result.chains[0].points) highest = std::max(highest, p.y);
+  EXPECT_NEAR(highest, 101, 1e-6) << "of unknown width";
 }
 
 TEST(Lenses, AnAlmondWithoutALineStays) {

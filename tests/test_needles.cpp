@@ -78,6 +78,20 @@ TEST(Knots, WaysFromAJunctionBackToItGoAroundPaperOrAreNone) {
   }
 }
 
+TEST(Knots, LoopsAtAJunctionHoldNoLessThanAPensDot) {
+  for (const double diameter : {0.9, 1.1}) {
+    std::vector<Vec2> round;
+    for (int k = 0; k <= 60; ++k)
+      round.push_back(3 * diameter * Vec2{1 - std::cos(std::numbers::pi * k / 30), std::sin(std::numbers::pi * k / 30)});
+    round.back() = round.front();
+    Chains chains{{round.front()}, {{}}};
+    chains.chains[0].points = round;
+    chains.chains[0].start_junction = chains.chains[0].end_junction = 0;
+    chains.chains[0].width = 4;
+    EXPECT_EQ(drop_knots(chains, 2).chains.size(), diameter > 1 ? 1u : 0u) << diameter << " pens";
+  }
+}
+
 TEST(Knots, TipsOfAcuteCornersStay) {
   Chains chains = one_chain({{100, 10}, {20, -0.3}, {16, 0}, {20, 0.3}, {100, -10}});
   chains.chains[0].width = 6;
@@ -134,12 +148,24 @@ TEST(Hooks, AChainEndsInItsJunctionOnItsWay) {
   }
 }
 
+TEST(Hooks, AChainLeavesItsWayTwiceAsFarFromTheEndAsItMissedIt) {
+  Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
+  chains.chains[0].end_junction = 0;
+  const auto points = drop_hooks(chains, 2, 8).chains[0].points;
+  const double last_step = norm(points.back() - points[points.size() - 2]);
+  EXPECT_GE(last_step, 2 * 0.8);
+  EXPECT_LT(last_step, 2 * 0.8 + 0.75);
+}
+
 TEST(Hooks, OtherEndsStay) {
   Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
   EXPECT_EQ(drop_hooks(chains, 2, 8).chains[0].points, chains.chains[0].points) << "no junction";
   chains.chains[0].end_junction = 0;
   EXPECT_EQ(drop_hooks(chains, 0.5, 8).chains[0].points, chains.chains[0].points) << "passes it too far away";
   EXPECT_EQ(drop_hooks(chains, 2, 3).chains[0].points, chains.chains[0].points) << "turns back too far from it";
+  Chains past = one_chain({{0, 0}, {50, 0}, {43.5, 0.8}});
+  past.chains[0].end_junction = 0;
+  EXPECT_EQ(drop_hooks(past, 2, 20).chains[0].points, past.chains[0].points) << "passes it by more than a blot";
   Chains tip = one_chain({{0, 0}, {50, 0}, {40, 0.8}});
   tip.chains[0].end_junction = 0;
   EXPECT_EQ(drop_hooks(tip, 2, 20).chains[0].points, tip.chains[0].points) << "the tip of a corner beside a junction";

@@ -154,6 +154,22 @@ TEST(Simplify, LinksInARowBecomeOneJunction) {
   expect_consistent(merged);
 }
 
+TEST(Simplify, JunctionsFurtherApartThanOneAndAHalfLinksStayTwoHoweverManyLieBetween) {
+  Chains chains;
+  for (int j = 0; j < 5; ++j) {
+    const Vec2 here{100.0 + 5 * j, 100};
+    chains.junctions.push_back(here);
+    chains.chains.push_back(chain_along({here, here + Vec2{0, 60}}, kWidth, j, -1));
+    chains.chains.push_back(chain_along({here, here - Vec2{0, 60}}, kWidth, j, -1));
+    if (j > 0) chains.chains.push_back(chain_along({here - Vec2{5, 0}, here}, kWidth, j - 1, j));
+  }
+  const Chains merged = merge_junctions(chains, 6, 6);
+  ASSERT_EQ(merged.junctions.size(), 3u);
+  for (std::size_t j = 0; j < 3; ++j)
+    EXPECT_NEAR(merged.junctions[j].x, 102.5 + 10 * static_cast<double>(j) - (j == 2 ? 2.5 : 0), 1e-9);
+  expect_consistent(merged);
+}
+
 TEST(Simplify, AChainWithAQuarterOffTheInkIsDropped) {
   Image image = blank(200, 100);
   paint(image, {{20, 30}, {180, 30}}, kWidth);
