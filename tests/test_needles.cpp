@@ -125,11 +125,16 @@ TEST(Needles, AcuteCornersAndHatchingStay) {
 TEST(Needles, WhatTheRestDoesNotCoverStays) {
   const Chains star = one_chain({{0, 0}, {30, 0}, {40, 30}, {30.5, 0.5}, {60, 0}});
   EXPECT_EQ(drop_needles(star, 2, 200).chains[0].points, star.chains[0].points);
+  const Chains thorn = one_chain({{0, 0}, {40, 0}, {10, 20}, {40.5, 0.5}, {80, -20}});
+  EXPECT_EQ(drop_needles(thorn, 2, 200).chains[0].points, thorn.chains[0].points);
 }
 
 TEST(Needles, LongWaysStay) {
   const Chains there_and_back = one_chain({{0, 60}, {10, 10}, {10.2, 60}, {10.4, 10.3}, {20, 60}});
   EXPECT_EQ(drop_needles(there_and_back, 2, 80).chains[0].points, there_and_back.chains[0].points);
+  const Chains thrice = one_chain({{0, 0}, {60, 0}, {0, 0.2}, {60, 0.4}, {60, 60}});
+  EXPECT_EQ(drop_needles(thrice, 2, 80).chains[0].points, thrice.chains[0].points);
+  EXPECT_NEAR(length_of(drop_needles(thrice, 2, 130)), 120, 2);
 }
 
 TEST(Hooks, AChainEndsInItsJunctionOnItsWay) {

@@ -112,6 +112,27 @@ TEST(Simplify, StrokesDrawnTooFarAreCutAtTheJunction) {
   EXPECT_EQ(corner({kWidth, -kWidth}), 3u) << "goes on from neither";
 }
 
+TEST(Simplify, ALinkIsNoStrokeDrawnTooFar) {
+  Chains chains{{{100, 100}, {100 + 1.8 * kWidth, 100}}, {}};
+  chains.chains.push_back(chain_along({{20, 100}, chains.junctions[0]}, kWidth, -1, 0));
+  chains.chains.push_back(chain_along({chains.junctions[0], {100, 180}}, kWidth, 0, -1));
+  chains.chains.push_back(chain_along({chains.junctions[0], chains.junctions[1]}, kWidth, 0, 1));
+  for (const double side : {-60.0, 60.0})
+    chains.chains.push_back(chain_along({chains.junctions[1], chains.junctions[1] + Vec2{0, side}}, kWidth, 1, -1));
+  EXPECT_EQ(drop_overshoots(chains, 2 * kWidth).chains.size(), 5u);
+}
+
+TEST(Simplify, RingsInOneStrokeAreNoSpurs) {
+  const Vec2 centre{100, 100};
+  Chains chains;
+  for (const double radius : {40.0, 41.0}) {
+    chains.chains.push_back(chain_along(testing::circle(centre, radius), kWidth));
+    chains.chains.back().points.back() = chains.chains.back().points.front();
+    chains.chains.back().closed = true;
+  }
+  EXPECT_EQ(drop_spurs(chains, 0.5).chains.size(), 2u);
+}
+
 TEST(Simplify, ALoopThatLeadsNowhereIsALink) {
   const auto looped = [](double size) {
     Chains chains{{{100, 100}}, {chain_along({{20, 100}, {100, 100}}, kWidth), chain_along({{100, 100}, {180, 100}}, kWidth)}};
@@ -234,6 +255,18 @@ TEST(Simplify, RungsOverPaperGoAndLinksOverInkStay) {
 }
 
 // An isoline goes on to the end of a cell, and slimming takes the ends of strokes.
+TEST(Simplify, LongWaysOverPaperAndFreeOnesAreNoRungs) {
+  const Ink ink = ink_of(blank(200, 200));
+  const auto rungs = [&](double length, bool free) {
+    Chains chains{{{100, 100}}, {chain_along({{100, 100}, {100 + length, 100}}, kWidth, free ? -1 : 0, -1)}};
+    for (const double side : {-60.0, 60.0}) chains.chains.push_back(chain_along({{100, 100}, {40, 100 + side}}, kWidth, 0, -1));
+    return drop_rungs(std::move(chains), ink, {30, 2}).chains.size();
+  };
+  EXPECT_EQ(rungs(29, false), 1u) << "the others are one chain";
+  EXPECT_EQ(rungs(31, false), 3u);
+  EXPECT_EQ(rungs(29, true), 2u);
+}
+
 TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
   for (const double drawn : {0.0, 4.0, 20.0}) {
     Image image = blank(200, 200);
