@@ -112,6 +112,15 @@ TEST(Simplify, StrokesDrawnTooFarAreCutAtTheJunction) {
   EXPECT_EQ(corner({kWidth, -kWidth}), 3u) << "goes on from neither";
 }
 
+TEST(Simplify, WhatGoesStraightOnWhereNothingElseMeetsIsTheSameStroke) {
+  const Chains chains{
+      {{100, 100}},
+      {chain_along({{20, 100}, {100, 100}}, kWidth, -1, 0), chain_along({{100, 100}, {100 + 1.8 * kWidth, 100}}, kWidth, 0, -1)}};
+  const Chains kept = drop_overshoots(chains, 2 * kWidth);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_NEAR(length_of(kept.chains[0]), 80 + 1.8 * kWidth, 1e-9);
+}
+
 TEST(Simplify, ALinkIsNoStrokeDrawnTooFar) {
   Chains chains{{{100, 100}, {100 + 1.8 * kWidth, 100}}, {}};
   chains.chains.push_back(chain_along({{20, 100}, chains.junctions[0]}, kWidth, -1, 0));
@@ -277,6 +286,9 @@ TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
                         {chain_along({{20, 100}, a}, kWidth, -1, 0), chain_along({a, {180, 100}}, kWidth, 0, -1),
                          chain_along({a, end}, kWidth, 0, -1)}};
     EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1, 15}).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
+    Chains turned = chains;
+    turned.chains[2] = reversed(turned.chains[2]);
+    EXPECT_EQ(drop_rungs(turned, ink_of(image), {30, 1, 15}).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
     EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1}).chains.size(), 1u);
   }
 }
@@ -299,7 +311,10 @@ TEST(Simplify, WhatRunsOverPaperIsTakenOut) {
   const Chains cut = cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), kWidth);
   ASSERT_EQ(cut.chains.size(), 2u);
   EXPECT_NEAR(length_of(cut.chains[0]) + length_of(cut.chains[1]), 126, 2);
-  EXPECT_EQ(cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), 40).chains.size(), 1u);
+  const Chain whole = chain_along({{20, 50}, {180, 50}}, kWidth);
+  const Chains kept = cut_on_paper({{}, {whole}}, ink_of(image), 40);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_EQ(kept.chains[0].points, whole.points);
 }
 
 }  // namespace
