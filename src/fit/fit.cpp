@@ -317,9 +317,11 @@ Samples side_between(const Samples& samples, const Corner& from, const Corner& t
     side.points.push_back(p);
   };
   add(from.point);
-  for (const double shift : {0.0, turn})
-    for (std::size_t i = 0; i < samples.points.size(); ++i)
-      if (samples.arc[i] + shift > low && samples.arc[i] + shift < high) add(samples.points[i]);
+  for (const double shift : {0.0, turn}) {
+    const auto first = std::ranges::partition_point(samples.arc, [&](double arc) { return arc + shift <= low; });
+    for (auto i = at(first - samples.arc.begin()); i < samples.arc.size() && samples.arc[i] + shift < high; ++i)
+      add(samples.points[i]);
+  }
   if (side.points.size() > 1 && norm(to.point - side.points.back()) < 1e-9 * turn) side.points.pop_back(), side.arc.pop_back();
   const double step = norm(to.point - side.points.back());
   side.arc.push_back(side.arc.back() + step);
