@@ -53,6 +53,20 @@ TEST(OneLine, EndsAndMeetingsAndRoomBehindSpeakForIt) {
   EXPECT_GT(one_line(plain, 0.5, kPen), one_line(plain, 0.1, kPen));
 }
 
+// Logits by hand from the weights that were fitted.
+TEST(OneLine, FollowsTheFittedRule) {
+  Flank f = flank(2 * kPen, 60);
+  EXPECT_NEAR(one_line(f, 0.2, kPen), 1 / (1 + std::exp(1.4914)), 1e-4);
+  f.own_ends = 1;
+  EXPECT_NEAR(one_line(f, 0.2, kPen), 1 / (1 + std::exp(-0.2896)), 1e-4);
+  EXPECT_FALSE(are_one_line(f, 0.2, kPen)) << "at 57 %";
+  f.meetings = 1;
+  EXPECT_NEAR(one_line(f, 0.2, kPen), 1 / (1 + std::exp(-0.9216)), 1e-4);
+  EXPECT_TRUE(are_one_line(f, 0.2, kPen)) << "at 72 %";
+  f.clearance = 5 * kPen;
+  EXPECT_NEAR(one_line(f, 0.2, kPen), 1 / (1 + std::exp(0.1894)), 1e-4) << "half of the clearance that counts";
+}
+
 TEST(OneLine, DoesNotDependOnTheSizeOfTheDrawing) {
   const Flank small = flank(10, 60);
   Flank large = flank(30, 180);

@@ -333,6 +333,7 @@ TEST(Fit, DegenerateInputsGiveFiniteCurves) {
   const Vec2 a{3, 4}, b{10, 4};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(fit_polyline({}, false, kOptions).empty());
+  EXPECT_TRUE(fit_polyline(Line{{nan, 1}, {2, nan}}, false, kOptions).empty()) << "nothing is finite";
   for (const bool closed : {false, true})
     for (const Line& line : std::vector<Line>{{a},
                                               {a, a},

@@ -45,6 +45,21 @@ TEST(Follow, AStrokeThatJustEndsIsNotFollowed) {
   EXPECT_EQ(chains.chains[0].points, half.points);
 }
 
+TEST(Follow, PaperEndsAStrokeUnlessItIsBridged) {
+  const Ink ink = testing::drawn_ink({bow(0, 1.5), bow(1.6, 3)}, kPen, 300);
+  const Chain first = chain_along(bow(0, 0.8)), second = chain_along(bow(2.2, 3));
+  const double gap = 0.1 * kRadius - kPen;
+  EXPECT_EQ(follow_strokes({{}, {first, second}}, ink, 0.25 * gap, 2 * kPen).chains[0].points, first.points);
+  EXPECT_GT(length_of(follow_strokes({{}, {first, second}}, ink, 1.3 * gap, 2 * kPen).chains[0]), 2 * length_of(first));
+}
+
+TEST(Follow, ClosedChainsHaveNoEnds) {
+  const Ink ink = testing::drawn_ink({bow(0, 3)}, kPen, 300);
+  Chain first = chain_along(bow(0, 0.8));
+  first.closed = true;
+  EXPECT_EQ(follow_strokes({{}, {first, chain_along(bow(2.2, 3))}}, ink, 1, 2 * kPen).chains[0].points, first.points);
+}
+
 TEST(Follow, IntoTheMiddleOfAnotherChainIsNoWayOn) {
   const std::vector<Vec2> across{{60, 20}, {60, 280}};
   const Ink ink = testing::drawn_ink({bow(0, std::numbers::pi), across}, kPen, 300);

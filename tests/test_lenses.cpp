@@ -89,12 +89,45 @@ TEST(Lenses, ABeadOnALineStays) {
   EXPECT_EQ(join_lenses(chains, kStroke).chains.size(), 4u);
 }
 
+// A line that parts in corners at both sides, `apex` px after it parts, for 14 px.
+std::size_t lines_of_diamond(double apex, double height) {
+  Chains chains = parted(0);
+  chains.junctions[1] = {114, 100};
+  for (std::size_t c : {1u, 2u}) {
+    const double side = c == 1 ? height : -height;
+    chains.chains[c].points = resampled({{100, 100}, {100 + apex, 100 + side}, {114, 100}}, 0.5);
+  }
+  chains.chains[3] = bow(114, 240, 0, 1, -1);
+  return join_lenses(chains, kStroke).chains.size();
+}
+
+TEST(Lenses, OfLinesThatPartOrMeetAtMoreThanSeventyDegreesStay) {
+  EXPECT_EQ(lines_of_diamond(7, 7 * std::tan(std::numbers::pi / 6)), 1u) << "60 degrees";
+  EXPECT_EQ(lines_of_diamond(7, 7 * std::tan(42 * std::numbers::pi / 180)), 4u) << "84 degrees";
+  EXPECT_EQ(lines_of_diamond(11.5, 5), 4u) << "meet at more";
+  EXPECT_EQ(lines_of_diamond(2.5, 5), 4u) << "part at more";
+}
+
 TEST(Lenses, WhereAnotherLineMeetsThemTheyStay) {
-  Chains chains = parted(4);
-  Chain branch = bow(160, 200, 0, 1, -1);
-  for (Vec2& p : branch.points) p = Vec2{160, 100} + Vec2{0, p.x - 160};
-  chains.chains.push_back(branch);
-  EXPECT_EQ(join_lenses(chains, kStroke).chains.size(), 5u);
+  for (const int junction : {0, 1}) {
+    Chains chains = parted(4);
+    const Vec2 place = chains.junctions[static_cast<std::size_t>(junction)];
+    Chain branch = bow(160, 200, 0, junction, -1);
+    for (Vec2& p : branch.points) p = place + Vec2{0, p.x - 160};
+    chains.chains.push_back(branch);
+    EXPECT_EQ(join_lenses(chains, kStroke).chains.size(), 5u) << junction;
+  }
+}
+
+TEST(Lenses, OfEqualStrokesTheLineIsInTheMiddle) {
+  Chains chains = parted(0);
+  for (std::size_t c : {1u, 2u}) chains.chains[c].width = 0;
+  for (Vec2& p : chains.chains[1].points) p.y += p.x > 100 && p.x < 160 ? 2 : 0;
+  const Chains result = join_lenses(chains, kStroke);
+  ASSERT_EQ(result.chains.size(), 1u);
+  double highest = 0;
+  for (const Vec2 p : result.chains[0].points) highest = std::max(highest, p.y);
+  EXPECT_NEAR(highest, 101, 1e-6) << "of unknown width";
 }
 
 TEST(Lenses, AnAlmondWithoutALineStays) {

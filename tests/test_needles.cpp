@@ -78,6 +78,20 @@ TEST(Knots, WaysFromAJunctionBackToItGoAroundPaperOrAreNone) {
   }
 }
 
+TEST(Knots, LoopsAtAJunctionHoldNoLessThanAPensDot) {
+  for (const double diameter : {0.9, 1.1}) {
+    std::vector<Vec2> round;
+    for (int k = 0; k <= 60; ++k)
+      round.push_back(3 * diameter * Vec2{1 - std::cos(std::numbers::pi * k / 30), std::sin(std::numbers::pi * k / 30)});
+    round.back() = round.front();
+    Chains chains{{round.front()}, {{}}};
+    chains.chains[0].points = round;
+    chains.chains[0].start_junction = chains.chains[0].end_junction = 0;
+    chains.chains[0].width = 4;
+    EXPECT_EQ(drop_knots(chains, 2).chains.size(), diameter > 1 ? 1u : 0u) << diameter << " pens";
+  }
+}
+
 TEST(Knots, TipsOfAcuteCornersStay) {
   Chains chains = one_chain({{100, 10}, {20, -0.3}, {16, 0}, {20, 0.3}, {100, -10}});
   chains.chains[0].width = 6;
@@ -111,11 +125,16 @@ TEST(Needles, AcuteCornersAndHatchingStay) {
 TEST(Needles, WhatTheRestDoesNotCoverStays) {
   const Chains star = one_chain({{0, 0}, {30, 0}, {40, 30}, {30.5, 0.5}, {60, 0}});
   EXPECT_EQ(drop_needles(star, 2, 200).chains[0].points, star.chains[0].points);
+  const Chains thorn = one_chain({{0, 0}, {40, 0}, {10, 20}, {40.5, 0.5}, {80, -20}});
+  EXPECT_EQ(drop_needles(thorn, 2, 200).chains[0].points, thorn.chains[0].points);
 }
 
 TEST(Needles, LongWaysStay) {
   const Chains there_and_back = one_chain({{0, 60}, {10, 10}, {10.2, 60}, {10.4, 10.3}, {20, 60}});
   EXPECT_EQ(drop_needles(there_and_back, 2, 80).chains[0].points, there_and_back.chains[0].points);
+  const Chains thrice = one_chain({{0, 0}, {60, 0}, {0, 0.2}, {60, 0.4}, {60, 60}});
+  EXPECT_EQ(drop_needles(thrice, 2, 80).chains[0].points, thrice.chains[0].points);
+  EXPECT_NEAR(length_of(drop_needles(thrice, 2, 130)), 120, 2);
 }
 
 TEST(Hooks, AChainEndsInItsJunctionOnItsWay) {
@@ -134,12 +153,24 @@ TEST(Hooks, AChainEndsInItsJunctionOnItsWay) {
   }
 }
 
+TEST(Hooks, AChainLeavesItsWayTwiceAsFarFromTheEndAsItMissedIt) {
+  Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
+  chains.chains[0].end_junction = 0;
+  const auto points = drop_hooks(chains, 2, 8).chains[0].points;
+  const double last_step = norm(points.back() - points[points.size() - 2]);
+  EXPECT_GE(last_step, 2 * 0.8);
+  EXPECT_LT(last_step, 2 * 0.8 + 0.75);
+}
+
 TEST(Hooks, OtherEndsStay) {
   Chains chains = one_chain({{0, 0}, {50, 0}, {46.5, 0.8}});
   EXPECT_EQ(drop_hooks(chains, 2, 8).chains[0].points, chains.chains[0].points) << "no junction";
   chains.chains[0].end_junction = 0;
   EXPECT_EQ(drop_hooks(chains, 0.5, 8).chains[0].points, chains.chains[0].points) << "passes it too far away";
   EXPECT_EQ(drop_hooks(chains, 2, 3).chains[0].points, chains.chains[0].points) << "turns back too far from it";
+  Chains past = one_chain({{0, 0}, {50, 0}, {43.5, 0.8}});
+  past.chains[0].end_junction = 0;
+  EXPECT_EQ(drop_hooks(past, 2, 20).chains[0].points, past.chains[0].points) << "passes it by more than a blot";
   Chains tip = one_chain({{0, 0}, {50, 0}, {40, 0.8}});
   tip.chains[0].end_junction = 0;
   EXPECT_EQ(drop_hooks(tip, 2, 20).chains[0].points, tip.chains[0].points) << "the tip of a corner beside a junction";

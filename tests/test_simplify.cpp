@@ -112,6 +112,36 @@ TEST(Simplify, StrokesDrawnTooFarAreCutAtTheJunction) {
   EXPECT_EQ(corner({kWidth, -kWidth}), 3u) << "goes on from neither";
 }
 
+TEST(Simplify, WhatGoesStraightOnWhereNothingElseMeetsIsTheSameStroke) {
+  const Chains chains{
+      {{100, 100}},
+      {chain_along({{20, 100}, {100, 100}}, kWidth, -1, 0), chain_along({{100, 100}, {100 + 1.8 * kWidth, 100}}, kWidth, 0, -1)}};
+  const Chains kept = drop_overshoots(chains, 2 * kWidth);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_NEAR(length_of(kept.chains[0]), 80 + 1.8 * kWidth, 1e-9);
+}
+
+TEST(Simplify, ALinkIsNoStrokeDrawnTooFar) {
+  Chains chains{{{100, 100}, {100 + 1.8 * kWidth, 100}}, {}};
+  chains.chains.push_back(chain_along({{20, 100}, chains.junctions[0]}, kWidth, -1, 0));
+  chains.chains.push_back(chain_along({chains.junctions[0], {100, 180}}, kWidth, 0, -1));
+  chains.chains.push_back(chain_along({chains.junctions[0], chains.junctions[1]}, kWidth, 0, 1));
+  for (const double side : {-60.0, 60.0})
+    chains.chains.push_back(chain_along({chains.junctions[1], chains.junctions[1] + Vec2{0, side}}, kWidth, 1, -1));
+  EXPECT_EQ(drop_overshoots(chains, 2 * kWidth).chains.size(), 5u);
+}
+
+TEST(Simplify, RingsInOneStrokeAreNoSpurs) {
+  const Vec2 centre{100, 100};
+  Chains chains;
+  for (const double radius : {40.0, 41.0}) {
+    chains.chains.push_back(chain_along(testing::circle(centre, radius), kWidth));
+    chains.chains.back().points.back() = chains.chains.back().points.front();
+    chains.chains.back().closed = true;
+  }
+  EXPECT_EQ(drop_spurs(chains, 0.5).chains.size(), 2u);
+}
+
 TEST(Simplify, ALoopThatLeadsNowhereIsALink) {
   const auto looped = [](double size) {
     Chains chains{{{100, 100}}, {chain_along({{20, 100}, {100, 100}}, kWidth), chain_along({{100, 100}, {180, 100}}, kWidth)}};
@@ -151,6 +181,22 @@ TEST(Simplify, LinksInARowBecomeOneJunction) {
   EXPECT_EQ(merged.chains.size(), 6u);
   ASSERT_EQ(merged.junctions.size(), 1u);
   EXPECT_NEAR(norm(merged.junctions[0] - Vec2{102, 100}), 0, 1e-9);
+  expect_consistent(merged);
+}
+
+TEST(Simplify, JunctionsFurtherApartThanOneAndAHalfLinksStayTwoHoweverManyLieBetween) {
+  Chains chains;
+  for (int j = 0; j < 5; ++j) {
+    const Vec2 here{100.0 + 5 * j, 100};
+    chains.junctions.push_back(here);
+    chains.chains.push_back(chain_along({here, here + Vec2{0, 60}}, kWidth, j, -1));
+    chains.chains.push_back(chain_along({here, here - Vec2{0, 60}}, kWidth, j, -1));
+    if (j > 0) chains.chains.push_back(chain_along({here - Vec2{5, 0}, here}, kWidth, j - 1, j));
+  }
+  const Chains merged = merge_junctions(chains, 6, 6);
+  ASSERT_EQ(merged.junctions.size(), 3u);
+  for (std::size_t j = 0; j < 3; ++j)
+    EXPECT_NEAR(merged.junctions[j].x, 102.5 + 10 * static_cast<double>(j) - (j == 2 ? 2.5 : 0), 1e-9);
   expect_consistent(merged);
 }
 
@@ -218,6 +264,18 @@ TEST(Simplify, RungsOverPaperGoAndLinksOverInkStay) {
 }
 
 // An isoline goes on to the end of a cell, and slimming takes the ends of strokes.
+TEST(Simplify, LongWaysOverPaperAndFreeOnesAreNoRungs) {
+  const Ink ink = ink_of(blank(200, 200));
+  const auto rungs = [&](double length, bool free) {
+    Chains chains{{{100, 100}}, {chain_along({{100, 100}, {100 + length, 100}}, kWidth, free ? -1 : 0, -1)}};
+    for (const double side : {-60.0, 60.0}) chains.chains.push_back(chain_along({{100, 100}, {40, 100 + side}}, kWidth, 0, -1));
+    return drop_rungs(std::move(chains), ink, {30, 2}).chains.size();
+  };
+  EXPECT_EQ(rungs(29, false), 1u) << "the others are one chain";
+  EXPECT_EQ(rungs(31, false), 3u);
+  EXPECT_EQ(rungs(29, true), 2u);
+}
+
 TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
   for (const double drawn : {0.0, 4.0, 20.0}) {
     Image image = blank(200, 200);
@@ -228,6 +286,9 @@ TEST(Simplify, AShortStrokeIsNoRungThoughItsChainGoesOnOverPaper) {
                         {chain_along({{20, 100}, a}, kWidth, -1, 0), chain_along({a, {180, 100}}, kWidth, 0, -1),
                          chain_along({a, end}, kWidth, 0, -1)}};
     EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1, 15}).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
+    Chains turned = chains;
+    turned.chains[2] = reversed(turned.chains[2]);
+    EXPECT_EQ(drop_rungs(turned, ink_of(image), {30, 1, 15}).chains.size(), drawn == 20 ? 3u : 1u) << drawn;
     EXPECT_EQ(drop_rungs(chains, ink_of(image), {30, 1}).chains.size(), 1u);
   }
 }
@@ -250,7 +311,10 @@ TEST(Simplify, WhatRunsOverPaperIsTakenOut) {
   const Chains cut = cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), kWidth);
   ASSERT_EQ(cut.chains.size(), 2u);
   EXPECT_NEAR(length_of(cut.chains[0]) + length_of(cut.chains[1]), 126, 2);
-  EXPECT_EQ(cut_on_paper({{}, {chain_along({{20, 50}, {180, 50}}, kWidth)}}, ink_of(image), 40).chains.size(), 1u);
+  const Chain whole = chain_along({{20, 50}, {180, 50}}, kWidth);
+  const Chains kept = cut_on_paper({{}, {whole}}, ink_of(image), 40);
+  ASSERT_EQ(kept.chains.size(), 1u);
+  EXPECT_EQ(kept.chains[0].points, whole.points);
 }
 
 }  // namespace

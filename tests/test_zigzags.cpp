@@ -52,6 +52,29 @@ TEST(Zigzags, AJogBeforeAJunctionGoesToo) {
   EXPECT_TRUE((line.back() == Vec2{64, 5}));
 }
 
+// A line that goes back by so much, a little beside itself.
+Line relay(double back) {
+  return dense({{0, 0}, {60, 0}, {60 - back, 1}, {120, 1}});
+}
+
+TEST(Zigzags, WhatIsHardlyLongerStays) {
+  EXPECT_EQ(cleaned(relay(1.8)), relay(1.8)) << "half a width longer";
+  EXPECT_LT(length(cleaned(relay(3))), 121) << "a width longer";
+}
+
+TEST(Zigzags, NoMoreThanSixWidthsAreLeftOut) {
+  EXPECT_LT(length(cleaned(relay(15))), 121);
+  EXPECT_EQ(cleaned(relay(20)), relay(20));
+}
+
+TEST(Zigzags, RoundsStay) {
+  Line round = kRelay;
+  const Line back = dense({{120, 4}, {60, 80}, {0, 0}});
+  round.insert(round.end(), back.begin() + 1, back.end());
+  EXPECT_LT(length(cleaned(round)), length(round) - 8);
+  EXPECT_EQ(cleaned(round, true), round);
+}
+
 TEST(Zigzags, CornersStay) {
   for (const double rise : {5.0, 10.0, 40.0}) {
     const Line corner = dense({{0, 0}, {60, 0}, {0, rise}});

@@ -45,7 +45,7 @@ std::vector<Piece> all_pieces(const std::vector<std::vector<Vec2>>& polylines) {
   for (std::size_t k = 0; k < polylines.size(); ++k) {
     const auto& line = polylines[k];
     const int n = static_cast<int>(line.size()) - 1;
-    const bool closed = norm(line.front() - line.back()) < kSeam;
+    const bool closed = is_closed(line);
     for (int i = 0; i < n; ++i) pieces.push_back({line[at(i)], line[at(i + 1)], static_cast<int>(k), i, n, closed});
   }
   return pieces;
@@ -103,6 +103,10 @@ std::vector<std::pair<int, int>> crossing_pairs(const std::vector<Piece>& pieces
 }
 
 }  // namespace
+
+bool is_closed(const std::vector<Vec2>& polyline) {
+  return norm(polyline.front() - polyline.back()) < kSeam;
+}
 
 std::vector<Vec2> thinned(const std::vector<Vec2>& polyline) {
   const std::vector<double> lengths = lengths_along(polyline);

@@ -9,6 +9,9 @@
 
 namespace inkgrid {
 
+// Whether its ends are all but one point.
+bool is_closed(const std::vector<Vec2>& polyline);
+
 // Thinned to steps of about 1.5 px; ends, corners and short polylines are kept.
 std::vector<Vec2> thinned(const std::vector<Vec2>& polyline);
 

@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "base/polyline.h"
+#include "compare/crossings.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
 namespace {
 
 constexpr double kSamePoint = 1e-9;  // px
-constexpr double kSeam = 1e-3;       // px: ends as near as this make a curve closed
 constexpr int kMostPieces = 20000;   // of a segment
 constexpr double kMostSamples = 8e6;
 
@@ -84,7 +84,7 @@ CurveSamples sample_curves(const std::vector<SvgCurve>& curves, const std::strin
     const std::vector<double> lengths = lengths_along(polyline);
     samples.length += lengths.back();
     append_samples(samples, polyline, lengths);
-    samples.closed.push_back(norm(polyline.front() - polyline.back()) < kSeam);
+    samples.closed.push_back(is_closed(polyline));
     samples.overdrawn.push_back(curve.overdrawn);
     samples.polylines.push_back(std::move(polyline));
   }

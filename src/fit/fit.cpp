@@ -17,11 +17,10 @@
 namespace inkgrid {
 namespace {
 
-constexpr double kSpanLimit =
-    0.85;                           // of the tolerance: what spans fitted on their own may use, since smooth joints cost a little
-constexpr double kWorth = 0.8;      // tolerance^2 * corner_span: squared error times length that justifies another segment
-constexpr int kClosedSegments = 4;  // at least, on a closed smooth curve
-constexpr int kRecuts = 10;         // of a stretch that stays outside the tolerance
+constexpr double kSpanLimit = 0.85;  // of the tolerance: for spans fitted on their own, since smooth joints cost a little
+constexpr double kWorth = 0.8;       // tolerance^2 * corner_span: squared error times length that justifies another segment
+constexpr int kClosedSegments = 4;   // at least, on a closed smooth curve
+constexpr int kRecuts = 10;          // of a stretch that stays outside the tolerance
 constexpr double kRecutFactor = 0.75;
 constexpr int kStepsBetweenChecks = 6, kRefineRounds = 6, kPolishSteps = 30;  // of least squares
 constexpr double kStraight = 0.12;  // of the tolerance: added to the error of the curve that a line is compared with
@@ -318,9 +317,11 @@ Samples side_between(const Samples& samples, const Corner& from, const Corner& t
     side.points.push_back(p);
   };
   add(from.point);
-  for (const double shift : {0.0, turn})
-    for (std::size_t i = 0; i < samples.points.size(); ++i)
-      if (samples.arc[i] + shift > low && samples.arc[i] + shift < high) add(samples.points[i]);
+  for (const double shift : {0.0, turn}) {
+    const auto first = std::ranges::partition_point(samples.arc, [&](double arc) { return arc + shift <= low; });
+    for (auto i = at(first - samples.arc.begin()); i < samples.arc.size() && samples.arc[i] + shift < high; ++i)
+      add(samples.points[i]);
+  }
   if (side.points.size() > 1 && norm(to.point - side.points.back()) < 1e-9 * turn) side.points.pop_back(), side.arc.pop_back();
   const double step = norm(to.point - side.points.back());
   side.arc.push_back(side.arc.back() + step);
@@ -374,8 +375,8 @@ Curve curve_of(const Chain& chain, const FitOptions& options, const InkDepth& de
 }  // namespace
 
 std::vector<Cubic> fit_polyline(std::span<const Vec2> points, bool closed, const FitOptions& options, const InkDepth& depth) {
-  if (points.empty()) return {};
   const Samples samples = sample_polyline(points, closed, options.corner_span / 8);
+  if (samples.points.empty()) return {};
   if (samples.points.size() < 3) return {straight(samples.points.front(), samples.points.back())};
   std::vector<Corner> corners = find_corners(samples, options.corner_span, depth);
   if (samples.closed && corners.empty()) return fit_smooth(samples, options);

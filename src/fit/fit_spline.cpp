@@ -29,6 +29,11 @@ struct LocalSystem {
   std::array<double, unknowns> gradient{};
 };
 
+double approximate_length(const Cubic& c) {
+  const auto length = [](Vec2 a) { return std::sqrt(norm2(a)); };
+  return 0.5 * (length(c.p3 - c.p0) + length(c.p1 - c.p0) + length(c.p2 - c.p1) + length(c.p3 - c.p2));
+}
+
 // Which global unknown each local one is; -1: pinned.
 std::vector<std::array<int, unknowns>> number_unknowns(const SmoothSpline& spline, const RefineOptions& options, int& count) {
   const int n = spline.segments(), joints = static_cast<int>(spline.joints.size());
@@ -324,11 +329,6 @@ Cubic SmoothSpline::cubic(int segment) const {
   return {joints[from], joints[from] + handles[from][0] * u, joints[to] - handles[from][1] * v, joints[to]};
 }
 
-double approximate_length(const Cubic& c) {
-  const auto length = [](Vec2 a) { return std::sqrt(norm2(a)); };
-  return 0.5 * (length(c.p3 - c.p0) + length(c.p1 - c.p0) + length(c.p2 - c.p1) + length(c.p3 - c.p2));
-}
-
 void refine_spline(SmoothSpline& spline, Feet& feet, const Samples& samples, const std::vector<double>& weights,
                    const RefineOptions& options) {
   Fitter(spline, feet, samples, weights, options).run();
@@ -357,23 +357,6 @@ std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, con
   for (std::size_t k = 0; k < cubics.size(); ++k)
     if (!is_fair(cubics[k], bend)) worst[k] = std::numeric_limits<double>::infinity();
   return worst;
-}
-
-void split_segment(SmoothSpline& spline, Feet& feet, int segment) {
-  const Cubic c = spline.cubic(segment);
-  const Vec2 velocity = velocity_on(c, 0.5);
-  const auto k = static_cast<std::ptrdiff_t>(segment);
-  const auto [out, in] = spline.handles[at(segment)];
-  const double middle = norm(velocity) / 6;
-  spline.handles[at(segment)] = {out / 2, middle};
-  spline.handles.insert(spline.handles.begin() + k + 1, {middle, in / 2});
-  spline.joints.insert(spline.joints.begin() + k + 1, point_on(c, 0.5));
-  spline.angles.insert(spline.angles.begin() + k + 1, std::atan2(velocity.y, velocity.x));
-  for (double& foot : feet) {
-    const double t = foot - segment;
-    if (t >= 0 && t < 1) foot = segment + 2 * t;
-    if (t >= 1) foot += 1;
-  }
 }
 
 void join_segments(SmoothSpline& spline, Feet& feet, int joint) {

@@ -35,8 +35,6 @@ inline Vec2 fast_unit(Vec2 a) {
 
 std::vector<Cubic> cubics_of(const SmoothSpline& spline);
 
-double approximate_length(const Cubic& cubic);
-
 struct RefineOptions {
   bool pin_start_angle = false;  // of an open spline, whose end points never move
   bool pin_end_angle = false;
@@ -53,9 +51,6 @@ std::vector<double> deviations(const SmoothSpline& spline, const Feet& feet, con
 
 // Distance of each point to its foot.
 std::vector<double> distances(const SmoothSpline& spline, const Feet& feet, const Samples& samples);
-
-// Cuts a segment in two at half its parameter, without a change of shape.
-void split_segment(SmoothSpline& spline, Feet& feet, int segment);
 
 // Makes one segment of those before and after an inner joint.
 void join_segments(SmoothSpline& spline, Feet& feet, int joint);

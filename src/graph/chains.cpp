@@ -19,10 +19,6 @@ struct Piece {
   bool used = false;
 };
 
-double total_length(const std::vector<Vec2>& points) {
-  return lengths_along(points).back();
-}
-
 // Whether the part lies on strokes, along them or across.
 bool on_stroke(const GraphEdge& edge, const BandMesh& mesh, const std::vector<double>& lengths, Interval part) {
   for (std::size_t i = 0; i < edge.faces.size(); ++i)
@@ -120,8 +116,7 @@ class Joiner {
         break;
       }
       const auto& ends = at_[at(node)];
-      const bool here_is_first = ends[0].piece == index && ends[0].at_start == !forward;
-      const PieceEnd next = here_is_first ? ends[1] : ends[0];
+      const PieceEnd next = ends[0].piece == index ? ends[1] : ends[0];
       if (pieces_[at(next.piece)].used) {
         chain.closed = next.piece == first;
         break;
@@ -161,6 +156,11 @@ bool is_loop(const Chain& chain) {
   return chain.closed || (chain.start_junction >= 0 && chain.start_junction == chain.end_junction);
 }
 
+void keep_chains(Chains& chains, const std::vector<std::uint8_t>& kept) {
+  std::size_t c = 0;
+  std::erase_if(chains.chains, [&](const Chain&) { return kept[c++] == 0; });
+}
+
 void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept) {
   std::vector<int> numbers(kept.size(), -1);
   std::vector<Vec2> junctions;
@@ -183,10 +183,8 @@ double ink_coverage(const Chain& chain, const Ink& ink) {
 
 Chains chain_strokes(const IsolineGraph& graph, const BandMesh& mesh, const std::vector<Label>& labels, const Ink& ink) {
   Chains chains = Joiner(stroke_pieces(graph, mesh, labels, ink.stroke_width), graph).join();
-  for (auto& chain : chains.chains) {
-    chain.width = ink.stroke_width;
-  }
-  std::erase_if(chains.chains, [&](const Chain& c) { return total_length(c.points) < 1e-6; });
+  for (auto& chain : chains.chains) chain.width = ink.stroke_width;
+  std::erase_if(chains.chains, [](const Chain& c) { return lengths_along(c.points).back() < 1e-6; });
   return chains;
 }
 

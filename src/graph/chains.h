@@ -45,6 +45,9 @@ inline int junction_at(const Chain& chain, bool at_start) {
 // The same the other way round.
 Chain reversed(Chain chain);
 
+// Only these chains, per chain.
+void keep_chains(Chains& chains, const std::vector<std::uint8_t>& kept);
+
 // Only these junctions, per junction; ends at the others become free.
 void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/at.h"
 #include "base/polyline.h"
@@ -87,8 +88,9 @@ class Blotter {
         target[b] = static_cast<int>(junctions_.size());
         junctions_.push_back(*point);
       }
+    const std::vector<int> settled = settled_by_x();
     for (std::size_t b = 0; b < blots_.size(); ++b)
-      if (target[b] < 0 && !stays_[b]) target[b] = junction_beside(blots_[b]);
+      if (target[b] < 0 && !stays_[b]) target[b] = junction_beside(blots_[b], settled);
     std::vector<RidgeChain> result;
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) split(c, target, result);
     return {std::move(result), std::move(junctions_)};
@@ -103,6 +105,7 @@ class Blotter {
   void find_runs() {
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
       const auto confirmed = confirmed_points(ridge(c), isolated_);
+      first_run_.push_back(static_cast<int>(runs_.size()));
       run_of_.emplace_back(confirmed.size(), -1);
       for (int k = 0; k < size(c);) {
         int end = k;
@@ -111,6 +114,7 @@ class Blotter {
         k = std::max(end, k + 1);
       }
     }
+    first_run_.push_back(static_cast<int>(runs_.size()));
   }
 
   // Runs that share a junction, or own ink that touches, lie in one blot.
@@ -150,8 +154,10 @@ class Blotter {
       if (n < 0) {
         n = static_cast<int>(blots_.size());
         blots_.emplace_back();
+        runs_in_.emplace_back();
       }
       run(r).blot = n;
+      runs_in_[at(n)].push_back(r);
     }
     stays_.assign(blots_.size(), 0);
     for (std::size_t j = settled_; j < junctions_.size(); ++j) {
@@ -236,8 +242,11 @@ class Blotter {
       if (arm.run == last) arm.run = r;
     for (int k = r + 1; k <= last; ++k) blots_[at(run(k).blot)].clear();
     blots_[at(kept)] = std::move(arms);
-    for (Run& other : runs_)
-      if (other.blot == gone) other.blot = kept;
+    for (const int other : runs_in_[at(gone)]) {
+      if (run(other).blot != gone) continue;
+      run(other).blot = kept;
+      runs_in_[at(kept)].push_back(other);
+    }
     run(r).to = run(last).to;
     for (int k = r + 1; k <= last; ++k) run(k) = {-1, 0, 0};
   }
@@ -273,24 +282,41 @@ class Blotter {
                          [&](const Arm& arm) { return distance_to_segment(p, arm.arrival.point, meeting) < kBeside * beside; });
     };
     const int blot = run(arms.front().run).blot;
-    return std::all_of(runs_.begin(), runs_.end(), [&](const Run& here) {
+    return std::all_of(runs_in_[at(blot)].begin(), runs_in_[at(blot)].end(), [&](int r) {
+      const Run& here = run(r);
       if (here.blot != blot) return true;
       const auto points = ridge(here.chain).chain.points.begin();
       return std::all_of(points + here.from, points + here.to, is_near);
     });
   }
 
-  // The junction that is settled already and that all arms lead to, as those of a star of which the grid joined only some; or -1.
-  int junction_beside(const std::vector<Arm>& arms) const {
-    for (std::size_t j = settled_; !arms.empty() && j < junctions_.size(); ++j) {
-      const Vec2 place = junctions_[j];
-      const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
-        return arm.arrival.known && norm(arm.arrival.point - place) < kBeside * options_.pen + width_of(arm) &&
-               leads_to(arm, place, 0);
-      });
-      if (all && stands_for_blot(arms, place)) return static_cast<int>(j);
-    }
-    return -1;
+  // The junctions that are settled already, from left to right.
+  std::vector<int> settled_by_x() const {
+    std::vector<int> numbers(junctions_.size() - settled_);
+    std::iota(numbers.begin(), numbers.end(), static_cast<int>(settled_));
+    std::sort(numbers.begin(), numbers.end(), [&](int a, int b) { return x_of(a) < x_of(b); });
+    return numbers;
+  }
+
+  // The first one of those that all arms lead to, as those of a star of which the grid joined only some; or -1.
+  int junction_beside(const std::vector<Arm>& arms, const std::vector<int>& settled) const {
+    if (arms.empty() || !arms.front().arrival.known) return -1;
+    const double x = arms.front().arrival.point.x, reach = reach_beside(arms.front());
+    auto j = std::lower_bound(settled.begin(), settled.end(), x - reach, [&](int a, double least) { return x_of(a) < least; });
+    int found = -1;
+    for (; j != settled.end() && x_of(*j) <= x + reach; ++j)
+      if ((found < 0 || *j < found) && all_lead_to(arms, junctions_[at(*j)])) found = *j;
+    return found;
+  }
+
+  double x_of(int junction) const { return junctions_[at(junction)].x; }
+  double reach_beside(const Arm& arm) const { return kBeside * options_.pen + width_of(arm); }
+
+  bool all_lead_to(const std::vector<Arm>& arms, Vec2 place) const {
+    const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
+      return arm.arrival.known && norm(arm.arrival.point - place) < reach_beside(arm) && leads_to(arm, place, 0);
+    });
+    return all && stands_for_blot(arms, place);
   }
 
   // How far an arm may seem to go on past the others, px: the sharper two of them meet, the later their ink is wider than a
@@ -327,7 +353,7 @@ class Blotter {
       if (after) lead_to_junction(result.back(), true, after->arrival.direction);
       if (before) lead_to_junction(result.back(), false, before->arrival.direction);
     };
-    for (int r = 0; r < static_cast<int>(runs_.size()); ++r) {
+    for (int r = first_run_[at(c)]; r < first_run_[at(c) + 1]; ++r) {
       const Run& here = run(r);
       if (here.chain != c || target[at(here.blot)] < 0) continue;
       cut = true;
@@ -385,9 +411,11 @@ class Blotter {
   const Raster<std::uint8_t>& drawn_;
   BlotOptions options_;
   std::vector<std::vector<int>> run_of_;  // per chain and point: its run, or -1
-  std::vector<Run> runs_;
+  std::vector<Run> runs_;                 // chain by chain
+  std::vector<int> first_run_;            // per chain, and one more
   std::vector<std::vector<Arm>> blots_;
-  std::vector<std::uint8_t> stays_;  // per blot
+  std::vector<std::vector<int>> runs_in_;  // per blot; some have left it since
+  std::vector<std::uint8_t> stays_;        // per blot
 };
 
 }  // namespace

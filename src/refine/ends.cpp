@@ -22,6 +22,12 @@ constexpr double kSteps = 0.5;        // px: less are the steps of pixels
 constexpr double kLongestInBlot = 5;  // strokes
 constexpr double kDeep = 1.25;        // widths
 constexpr double kBeside = 0.5;       // strokes between ends that passed each other in one stroke
+constexpr double kWalkStep = 0.25;    // px, in which ink is looked at
+constexpr double kFacing = -0.5;      // cosine of the angle between ends that may become one
+
+constexpr double kFoldSpan = 3;     // strokes before the end that may be folded
+constexpr double kFoldWide = 0.5;   // strokes: a bend that is wider was drawn
+constexpr double kFoldBack = 0.25;  // strokes
 
 // One end of a chain.
 struct End {
@@ -57,15 +63,15 @@ bool is_free(const Chain& chain, bool at_start) {
 double to_ink_end(const Ink& ink, Vec2 tip, Vec2 direction, const EndOptions& options, double farthest) {
   double last = 0, paper = 0;
   if (on_ink(ink, tip)) {
-    for (double t = 0.25; t < farthest; t += 0.25) {
+    for (double t = kWalkStep; t < farthest; t += kWalkStep) {
       const bool ink_here = on_ink(ink, tip + t * direction);
-      paper = ink_here ? 0 : paper + 0.25;
+      paper = ink_here ? 0 : paper + kWalkStep;
       if (ink_here) last = t;
       if (paper > options.bridge) break;
     }
     return last;
   }
-  for (double t = 0.25; t < farthest; t += 0.25)
+  for (double t = kWalkStep; t < farthest; t += kWalkStep)
     if (on_ink(ink, tip - t * direction)) return -t;
   return 0;
 }
@@ -147,10 +153,6 @@ int junction_on(Chains& chains, std::vector<std::vector<Cut>>& cuts, const Meeti
   return here.back().junction;
 }
 
-}  // namespace
-
-namespace {
-
 // Two free ends that face each other over ink.
 struct Facing {
   End a, b;
@@ -174,7 +176,8 @@ bool passed(const Chains& chains, const Tip& a, const Tip& b) {
          lies_beside(a.point, chains.chains[at(b.end.chain)]) && lies_beside(b.point, chains.chains[at(a.end.chain)]);
 }
 
-std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
+// Those that may be attached, from left to right.
+std::vector<Tip> free_tips(const Chains& chains, const Ink& ink, const EndOptions& options) {
   std::vector<Tip> tips;
   for (int c = 0; c < static_cast<int>(chains.chains.size()); ++c)
     for (const bool at_start : {true, false}) {
@@ -183,23 +186,32 @@ std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndO
         tips.push_back({{c, at_start}, chain.points[end_index(chain, at_start)], outward(chain, at_start, chain.width)});
     }
   std::stable_sort(tips.begin(), tips.end(), [](const Tip& s, const Tip& t) { return s.point.x < t.point.x; });
+  return tips;
+}
+
+// Whether two ends face each other, near enough for how well they are in line, without too much paper between them.
+bool may_be_joined(const Chains& chains, const Tip& a, const Tip& b, const Ink& ink, const EndOptions& options) {
+  if (dot(a.direction, b.direction) > kFacing) return false;
+  // Ends of one short chain face each other too.
+  if (a.end.chain == b.end.chain && lengths_along(chains.chains[at(a.end.chain)].points).back() < 3 * options.reach) return false;
+  const Vec2 way = b.point - a.point;
+  const double distance = norm(way);
+  const bool aligned = dot(a.direction, way) > kAligned * distance && dot(b.direction, way) < -kAligned * distance;
+  const double most = passed(chains, a, b) ? options.blot : options.reach + (aligned ? options.gap : 0);
+  return distance <= most &&
+         over_ink(ink.mask, a.point, b.point, aligned ? std::max(options.gap, options.bridge) : options.bridge);
+}
+
+// The nearest first.
+std::vector<Facing> facing_ends(const Chains& chains, const Ink& ink, const EndOptions& options) {
+  const std::vector<Tip> tips = free_tips(chains, ink, options);
   std::vector<Facing> pairs;
   const double farthest = std::max(options.reach + options.gap, options.blot);
   for (std::size_t i = 0; i < tips.size(); ++i)
     for (std::size_t j = i + 1; j < tips.size() && tips[j].point.x - tips[i].point.x <= farthest; ++j) {
-      const Vec2 way = tips[j].point - tips[i].point;
-      const double distance = norm(way);
-      if (distance > farthest || dot(tips[i].direction, tips[j].direction) > -0.5) continue;
-      // Ends of one short chain face each other too.
-      if (tips[i].end.chain == tips[j].end.chain &&
-          lengths_along(chains.chains[at(tips[i].end.chain)].points).back() < 3 * options.reach)
-        continue;
-      const bool aligned =
-          dot(tips[i].direction, way) > kAligned * distance && dot(tips[j].direction, way) < -kAligned * distance;
-      const double paper = aligned ? std::max(options.gap, options.bridge) : options.bridge;
-      const double most = passed(chains, tips[i], tips[j]) ? options.blot : options.reach + (aligned ? options.gap : 0);
-      if (distance > most) continue;
-      if (over_ink(ink.mask, tips[i].point, tips[j].point, paper)) pairs.push_back({tips[i].end, tips[j].end, distance});
+      const double distance = norm(tips[j].point - tips[i].point);
+      if (distance <= farthest && may_be_joined(chains, tips[i], tips[j], ink, options))
+        pairs.push_back({tips[i].end, tips[j].end, distance});
     }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Facing& s, const Facing& t) { return s.distance < t.distance; });
   return pairs;
@@ -225,10 +237,6 @@ void cut_overlap(Chain& a, bool a_at_start, Chain& b, bool b_at_start) {
   cut_back(a, a_at_start, 0.5 * (overlap + a.width));
   cut_back(b, b_at_start, 0.5 * (overlap + b.width));
 }
-
-constexpr double kFoldSpan = 3;     // strokes before the end that may be folded
-constexpr double kFoldWide = 0.5;   // strokes: a bend that is wider was drawn
-constexpr double kFoldBack = 0.25;  // strokes
 
 // The last point along the way that the chain came before it turned back within its own stroke; the very last one where it did
 // not.
@@ -333,9 +341,9 @@ namespace {
 // From a place in a stroke to its rim on both sides, on average; no more than `farthest` is looked at.
 double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
   double sum = 0;
-  for (const Vec2 side : {across, Vec2{} - across}) {
+  for (const Vec2 side : {across, -across}) {
     double t = 0;
-    while (t < farthest && on_ink(ink, p + t * side)) t += 0.25;
+    while (t < farthest && on_ink(ink, p + t * side)) t += kWalkStep;
     sum += t;
   }
   return sum / 2;
@@ -346,7 +354,7 @@ double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
 double cap_radius(const Ink& ink, Vec2 end, Vec2 outward, double half_width) {
   const auto chord_at = [&](double inside) { return half_chord(ink, end - inside * outward, quarter_turn(outward), half_width); };
   double inside = half_width;
-  while (inside > 0.25 && chord_at(inside) < std::min(kNarrower * inside, inside - kSteps)) inside -= 0.25;
+  while (inside > kWalkStep && chord_at(inside) < std::min(kNarrower * inside, inside - kSteps)) inside -= kWalkStep;
   return inside;
 }
 
@@ -375,7 +383,7 @@ Chains reach_fills(Chains chains, const Fills& fills, double reach) {
       if (chain.mark || !is_free(chain, at_start)) continue;
       const Vec2 tip = chain.points[end_index(chain, at_start)], direction = outward(chain, at_start, 1.5 * chain.width);
       double way = 0;
-      while (way < reach && nearest(fills.region, tip + way * direction, -1) < 0) way += 0.25;
+      while (way < reach && nearest(fills.region, tip + way * direction, -1) < 0) way += kWalkStep;
       if (way < reach) append(chain, at_start, tip + way * direction);
     }
   return chains;

@@ -106,8 +106,7 @@ class FlankFinder {
     for_ranges(options.threads, static_cast<int>(samples_.all.size()), kTogether, [&](int first, int end) {
       for (int i = first; i < end; ++i) {
         const Vec2 left{-samples_[i].tangent.y, samples_[i].tangent.x};
-        near_[at(i)] = {look(samples_, painted, i, left, options.farthest),
-                        look(samples_, painted, i, Vec2{} - left, options.farthest)};
+        near_[at(i)] = {look(samples_, painted, i, left, options.farthest), look(samples_, painted, i, -left, options.farthest)};
       }
     });
   }

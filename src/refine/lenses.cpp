@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/at.h"
+#include "base/median.h"
 #include "base/polyline.h"
 #include "graph/dissolve.h"
 
@@ -46,13 +47,11 @@ Vec2 direction(const std::vector<Vec2>& points, bool from_end, std::size_t span)
 bool is_one_line(const Lens& lens, double stroke_width) {
   std::vector<double> gaps;
   for (std::size_t k = 0; k < lens.along.size(); ++k) gaps.push_back(norm(lens.along[k] - lens.opposite[k]));
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
   const auto span = static_cast<std::size_t>(kSpan * stroke_width / kStep);
   const auto parts_gently = [&](bool end) {
     return dot(direction(lens.along, end, span), direction(lens.opposite, end, span)) >= kLeastCosine;
   };
-  return *middle <= kWidest * stroke_width && parts_gently(false) && parts_gently(true);
+  return median(std::move(gaps)) <= kWidest * stroke_width && parts_gently(false) && parts_gently(true);
 }
 
 // Of every two junctions with exactly two chains between them.
@@ -101,15 +100,14 @@ Chain middle_of(const Lens& lens, const Chain& first, const Chain& second) {
 Chains join_lenses(Chains chains, double stroke_width) {
   const std::vector<Lens> lenses = find_lenses(chains, stroke_width);
   const std::vector<int> lines = lines_at(chains, lenses);
-  std::vector<std::uint8_t> gone(chains.chains.size());
+  std::vector<std::uint8_t> kept(chains.chains.size(), 1);
   for (const Lens& lens : lenses) {
     Chain& line = chains.chains[at(lens.first)];
     if (lines[at(line.start_junction)] != 2 || lines[at(line.end_junction)] != 2) continue;
     line = middle_of(lens, line, chains.chains[at(lens.second)]);
-    gone[at(lens.second)] = 1;
+    kept[at(lens.second)] = 0;
   }
-  std::size_t c = 0;
-  std::erase_if(chains.chains, [&](const Chain&) { return gone[c++] != 0; });
+  keep_chains(chains, kept);
   return dissolve_junctions(std::move(chains));
 }
 

@@ -22,10 +22,6 @@ double length_of(const Chain& chain) {
   return lengths_along(chain.points).back();
 }
 
-void move_end(Chain& chain, bool at_start, Vec2 target) {
-  (at_start ? chain.points.front() : chain.points.back()) = target;
-}
-
 // How far a chain that links junctions leads from one to the other; a loop, how far it leads there and back.
 double link_length(const Chain& chain) {
   if (chain.start_junction != chain.end_junction) return length_of(chain);
@@ -61,26 +57,22 @@ UnionFind linked_junctions(const Chains& chains, const std::vector<int>& links, 
   return groups;
 }
 
-void collapse_links(Chains& chains, double link, double bare_link) {
+// Of chains between two junctions those that are short enough to be none, the shortest first.
+std::vector<int> short_links(const std::vector<Chain>& chains, double link, double bare_link) {
   std::vector<int> links;
   std::vector<double> length;
-  for (int i = 0; i < static_cast<int>(chains.chains.size()); ++i) {
-    const auto& c = chains.chains[at(i)];
+  for (int i = 0; i < static_cast<int>(chains.size()); ++i) {
+    const auto& c = chains[at(i)];
     length.push_back(link_length(c));
     if (c.start_junction < 0 || c.end_junction < 0) continue;
     if (length.back() < link || (length.back() < bare_link && c.confirmed < 0.25 * link)) links.push_back(i);
   }
   std::stable_sort(links.begin(), links.end(), [&](int a, int b) { return length[at(a)] < length[at(b)]; });
-  UnionFind groups = linked_junctions(chains, links, 1.5 * std::max(link, bare_link));
-  std::vector<std::uint8_t> gone(chains.chains.size(), 0);
-  for (const int i : links) {
-    const auto& c = chains.chains[at(i)];
-    gone[at(i)] = groups.find(c.start_junction) == groups.find(c.end_junction);
-  }
-  std::vector<Chain> kept;
-  for (std::size_t i = 0; i < chains.chains.size(); ++i)
-    if (!gone[i]) kept.push_back(std::move(chains.chains[i]));
-  chains.chains = std::move(kept);
+  return links;
+}
+
+// The junctions of a group become one in their middle, where the chains that are left meet.
+void unite_junctions(Chains& chains, UnionFind& groups) {
   std::vector<Vec2> sum(chains.junctions.size());
   std::vector<int> count(chains.junctions.size(), 0);
   for (int j = 0; j < static_cast<int>(chains.junctions.size()); ++j) {
@@ -94,9 +86,26 @@ void collapse_links(Chains& chains, double link, double bare_link) {
       if (j < 0) continue;
       j = groups.find(j);
       const auto root = static_cast<std::size_t>(j);
-      if (count[root] > 1) chains.junctions[root] = sum[root] / count[root];
-      if (count[root] > 1) move_end(c, at_start, sum[root] / count[root]);
+      if (count[root] > 1) chains.junctions[root] = (at_start ? c.points.front() : c.points.back()) = sum[root] / count[root];
     }
+}
+
+void collapse_links(Chains& chains, double link, double bare_link) {
+  const std::vector<int> links = short_links(chains.chains, link, bare_link);
+  UnionFind groups = linked_junctions(chains, links, 1.5 * std::max(link, bare_link));
+  std::vector<std::uint8_t> kept(chains.chains.size(), 1);
+  for (const int i : links) {
+    const auto& c = chains.chains[at(i)];
+    kept[at(i)] = groups.find(c.start_junction) != groups.find(c.end_junction);
+  }
+  keep_chains(chains, kept);
+  unite_junctions(chains, groups);
+}
+
+// What is left of the chains, and the junctions that these leave.
+Chains kept_chains(Chains chains, const std::vector<std::uint8_t>& alive) {
+  keep_chains(chains, alive);
+  return dissolve_junctions(std::move(chains));
 }
 
 // A chain has no more bins than pixels can fill.
@@ -121,16 +130,15 @@ Chains drop_uncovered(Chains chains, const InkBands& bands, int bins, double rea
     const int own = bins_of(l.back(), bins), bin = std::min(own - 1, static_cast<int>(parameter * own));
     ++histogram[at(s.chain * bins + bin)];
   }
-  std::vector<Chain> kept;
+  std::vector<std::uint8_t> alive(chains.chains.size(), 1);
   for (std::size_t c = 0; c < chains.chains.size(); ++c) {
     const auto begin = histogram.begin() + static_cast<std::ptrdiff_t>(c) * bins;
     const auto end = begin + bins_of(lengths[c].back(), bins);
     // Between junctions there may be no room for a pixel.
     const bool tiny = lengths[c].back() < kTiny && std::min(chains.chains[c].start_junction, chains.chains[c].end_junction) >= 0;
-    if (tiny || std::find(begin, end, 0) == end) kept.push_back(std::move(chains.chains[c]));
+    alive[c] = tiny || std::find(begin, end, 0) == end;
   }
-  chains.chains = std::move(kept);
-  return dissolve_junctions(std::move(chains));
+  return kept_chains(std::move(chains), alive);
 }
 
 namespace {
@@ -178,14 +186,6 @@ class PointBins {
   double cell_;
   std::vector<Entry> entries_;
 };
-
-Chains kept_chains(Chains chains, const std::vector<std::uint8_t>& alive) {
-  std::vector<Chain> kept;
-  for (std::size_t c = 0; c < chains.chains.size(); ++c)
-    if (alive[c]) kept.push_back(std::move(chains.chains[c]));
-  chains.chains = std::move(kept);
-  return dissolve_junctions(std::move(chains));
-}
 
 // Of two chains that stand for the same ink the longer one is to stay.
 std::vector<int> shortest_first(const std::vector<Chain>& chains) {
@@ -251,10 +251,6 @@ std::vector<std::pair<std::size_t, std::size_t>> paper_stretches(const std::vect
   }
   return stretches;
 }
-
-}  // namespace
-
-namespace {
 
 // Whether a chain leads over paper, but for what lies beyond the end of a stroke that it went along before.
 bool is_rung(const Chain& chain, const Ink& ink, const RungOptions& options) {
