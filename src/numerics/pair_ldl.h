@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "base/at.h"
@@ -114,7 +115,8 @@ class PairLdl {
   // any number of threads.
   explicit PairLdl(const PairMatrix& matrix, EliminationPlan plan = {}, int threads = 1);
 
-  const EliminationPlan& plan() const { return plan_; }
+  const EliminationPlan& plan() const& { return plan_; }
+  EliminationPlan plan() && { return std::move(plan_); }
 
   // For real and for complex pairs.
   template <class Scalar>
@@ -138,11 +140,12 @@ class HalfSolver {
   SparseVector solve(const SparseVector& a, double floor);
 
  private:
-  std::vector<int> reach(const SparseVector& a);
+  void find_reach(const SparseVector& a);
 
   const PairLdl& factor_;
   std::vector<RealPair> work_;  // zero between calls
   std::vector<char> marked_;    // zero between calls
+  std::vector<int> reach_, path_;
 };
 
 }  // namespace inkgrid
