@@ -121,6 +121,8 @@ void plan_columns(EliminationPlan& plan) {
 
 EliminationPlan plan_elimination(const PairMatrix& matrix) {
   EliminationPlan plan;
+  plan.matrix_starts = matrix.starts();
+  plan.matrix_rows = matrix.rows();
   plan.places = elimination_places(matrix.starts(), matrix.rows());
   plan_rows(matrix, plan);
   plan_columns(plan);
@@ -274,6 +276,9 @@ PairMatrix::PairMatrix(int size, const std::vector<std::array<int, 2>>& edges) :
   }
   blocks_.resize(rows_.size());
 }
+
+PairMatrix::PairMatrix(std::vector<int> starts, std::vector<int> rows)
+    : starts_(std::move(starts)), rows_(std::move(rows)), blocks_(rows_.size()), diagonal_(starts_.size() - 1) {}
 
 namespace {
 

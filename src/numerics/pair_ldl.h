@@ -57,6 +57,8 @@ class PairMatrix {
  public:
   // `edges`: the pairs of different nodes that may have a block, in any order, repeated or not.
   PairMatrix(int size, const std::vector<std::array<int, 2>>& edges);
+  // With blocks where another matrix has them.
+  PairMatrix(std::vector<int> starts, std::vector<int> rows);
 
   // Adds a block at row i and column j, which implies its transpose at (j, i); where i == j it must be symmetric.
   void add(int i, int j, const Block& block);
@@ -88,7 +90,8 @@ inline void PairMatrix::add(int i, int j, const Block& block) {
 
 // What a factorisation does, whatever the values: the same for all matrices with blocks at the same places.
 struct EliminationPlan {
-  std::vector<int> places;   // of each node in the order of elimination
+  std::vector<int> matrix_starts, matrix_rows;  // the strictly lower triangle of A by columns
+  std::vector<int> places;                      // of each node in the order of elimination
   std::vector<int> parents;  // per place: that of the first row below the diagonal of its column of L, -1 where it has none
   std::vector<int> starts;   // L by columns, its unit diagonal left out
   // The strictly lower triangle of P A P' by rows: its columns, and its blocks as their places among those of A, or ~place where
