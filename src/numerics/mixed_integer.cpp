@@ -174,14 +174,18 @@ std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, c
   return rows;
 }
 
-// The least energy that the integers allow, the reals having answered.  `answer`: the reals when all integers are zero.
-Quadratic reduce(const MixedIntegerProblem& problem, const PairLdl& factor, const std::vector<RealPair>& answer,
-                 const Accuracy& accuracy, int threads) {
+// The least energy that the integers allow, the reals having answered.
+Quadratic reduce(const MixedIntegerProblem& problem, const PairLdl& factor, const Accuracy& accuracy, int threads) {
   const int size = integer_count(problem);
+  std::vector<RealPair> answer;  // the reals when all integers are zero
+  std::vector<SparseVector> lower;
+  at_once(
+      threads, [&] { answer = factor.solve(problem.real_b); },
+      [&] { lower = schur_complement(problem, factor, accuracy.floor, threads); });
   Quadratic reduced{std::vector<SparseVector>(at(size)), {}, problem.integral_b, -dot(problem.real_b, answer) / 2};
   for (int i = 0; i < size; ++i)
-    for (const SparseTerm& term : problem.coupling[at(i)]) reduced.h[at(i)] -= term.value * scalar(answer, term.index);
-  const std::vector<SparseVector> lower = schur_complement(problem, factor, accuracy.floor, threads);
+    for (const SparseTerm& term : problem.coupling[at(i)])
+      reduced.h[at(i)] -= term.value * scalar(std::as_const(answer), term.index);
   for (int i = 0; i < size; ++i)
     for (const SparseTerm& term : lower[at(i)]) {
       if (term.index == i) {
@@ -225,7 +229,7 @@ MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, Eli
   require_finite(problem);
   PairLdl factor(problem.reals, std::move(plan), limits.threads);
   const bool many = integer_count(problem) > limits.one_by_one;
-  const Quadratic reduced = reduce(problem, factor, factor.solve(problem.real_b), many ? kForMany : kExact, limits.threads);
+  const Quadratic reduced = reduce(problem, factor, many ? kForMany : kExact, limits.threads);
   const Rounding rounding =
       many ? round_in_batches(reduced, limits.stop) : round_one_by_one(reduced, integral_diagonal(problem), limits.stop);
   MixedIntegerSolution solution;
