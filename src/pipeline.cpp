@@ -162,8 +162,9 @@ void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
   report_map(stages.map, stages.report);
   if (first <= Stage::isolines) {
     const std::vector<int> failed = stages.map.failed_components;
-    stages.exact =
-        run("exact map", 0.9, [&] { return keep == Keep::result ? round_map(std::move(stages.map)) : round_map(stages.map); });
+    stages.exact = run("exact map", 0.9, [&] {
+      return keep == Keep::result ? round_map(std::move(stages.map)) : round_map(stages.map, stages.inputs.settled.threads);
+    });
     stages.graph = run("isolines", 0.92, [&] {
       return remove_folds(trace_isolines(stages.mesh, stages.exact, failed), stages.mesh, stages.exact);
     });

@@ -125,6 +125,12 @@ struct FaceNodes {
       for (const int n : space.nodes[at(mesh.faces[f][k])]) share[k][place_of(n)] += 0.5;
   }
 
+  bool are_among(const FaceNodes& others) const {
+    const auto others_end = others.node.begin() + others.count;
+    return std::all_of(node.begin(), node.begin() + count,
+                       [&](int n) { return std::find(others.node.begin(), others_end, n) != others_end; });
+  }
+
   std::size_t place_of(int n) {
     std::size_t place = 0;
     while (place < at(count) && node[place] != n) ++place;
@@ -217,11 +223,15 @@ void add_orthogonality(const BandMesh& mesh, std::size_t f, double stroke_width,
   for (const int v : mesh.faces[f]) system.orthogonality[at(v)] += kOrthogonality * third;
 }
 
+// Those of a face once where the one before it has the same nodes, as half of them do: four are a triangle of the coarse lattice.
 std::vector<std::array<int, 2>> edges_between_nodes(const BandMesh& mesh, const FieldSpace& space) {
   std::vector<std::array<int, 2>> edges;
-  edges.reserve(3 * mesh.faces.size());
+  edges.reserve(3 * mesh.faces.size() / 2);
+  FaceNodes before;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const FaceNodes nodes(mesh, space, f);
+    if (nodes.are_among(before)) continue;
+    before = nodes;
     for (int i = 0; i < nodes.count; ++i)
       for (int j = 0; j < i; ++j) edges.push_back({nodes.node[at(i)], nodes.node[at(j)]});
   }

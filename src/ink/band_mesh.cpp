@@ -1,9 +1,10 @@
 #include "ink/band_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
-#include <numeric>
 
 #include "base/at.h"
 #include "base/parallel.h"
@@ -20,6 +21,7 @@ constexpr double kLatticeTurn = 0.2617 * std::numbers::sqrt2;
 constexpr double kFilledHole = 1.25;
 
 constexpr int kRowsAtOnce = 32;  // of the lattice
+constexpr int kFacesOfTask = 4096;
 
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
@@ -97,23 +99,48 @@ class PointSet {
         low_ = {std::min(low_.i, p.i), std::min(low_.j, p.j)};
         high_ = {std::max(high_.i, p.i), std::max(high_.j, p.j)};
       }
-    bits_.assign(static_cast<std::size_t>(high_.i - low_.i + 1) * static_cast<std::size_t>(high_.j - low_.j + 1), false);
+    words_ = Pixels<std::uint64_t>(place({high_.i, high_.j}) / 64 + 1);
     for (const auto& t : triangles) insert(t);
   }
 
   void insert(const LatticeTriangle& t) {
-    for (const auto p : t) bits_[place(p)] = true;
+    for (const auto p : t) words_[place(p) / 64] |= bit(p);
   }
-  bool contains(LatticePoint p) const { return bits_[place(p)]; }
+  bool contains(LatticePoint p) const { return (words_[place(p) / 64] & bit(p)) != 0; }
+
+  // All of them in lattice order.
+  std::vector<LatticePoint> points() const {
+    std::vector<LatticePoint> points;
+    const auto width = at(high_.i - low_.i + 1);
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      for (std::uint64_t rest = words_[w]; rest != 0; rest &= rest - 1) {
+        const std::size_t at_bit = 64 * w + at(std::countr_zero(rest));
+        points.push_back({low_.i + static_cast<int>(at_bit % width), low_.j + static_cast<int>(at_bit / width)});
+      }
+    return points;
+  }
+
+  // How many of them come before the points of each word, in lattice order.
+  std::vector<int> counts_before() const {
+    std::vector<int> counts(words_.size());
+    int count = 0;
+    for (std::size_t w = 0; w < words_.size(); ++w) {
+      counts[w] = count;
+      count += std::popcount(words_[w]);
+    }
+    return counts;
+  }
+  int number_of(LatticePoint p, const std::vector<int>& counts_before) const {
+    const std::size_t w = place(p) / 64;
+    return counts_before[w] + std::popcount(words_[w] & (bit(p) - 1));
+  }
 
  private:
-  std::size_t place(LatticePoint p) const {
-    return static_cast<std::size_t>(p.j - low_.j) * static_cast<std::size_t>(high_.i - low_.i + 1) +
-           static_cast<std::size_t>(p.i - low_.i);
-  }
+  std::size_t place(LatticePoint p) const { return at(p.j - low_.j) * at(high_.i - low_.i + 1) + at(p.i - low_.i); }
+  std::uint64_t bit(LatticePoint p) const { return std::uint64_t{1} << (place(p) % 64); }
 
   LatticePoint low_{}, high_{};
-  std::vector<bool> bits_;
+  Pixels<std::uint64_t> words_;
 };
 
 // Which triangles the band needs, and how fine.
@@ -130,6 +157,8 @@ class Refinement {
     filled_ = closed_ink(ink, kFilledHole * options.reach * ink.stroke_width + 0.5, options.threads);
     side_ = finest * options.mesh_size * ink.stroke_width * std::numbers::sqrt3 / 2;
     finest_ = finest;
+    // The way from a pixel to those around a barycentre of its cell: half a pixel's diagonal, to the barycentre, and a diagonal.
+    widest_near_ = kFilledHole * options.reach * ink.stroke_width + 0.5 + 1.2 * side_ + 1.5 * std::numbers::sqrt2 + 0.1;
     if (levels_ > 0) largest_ = LargestFactor(*mask, 2 * side_ * (1 << levels_));
   }
 
@@ -150,8 +179,9 @@ class Refinement {
     const Vec2 inside{std::clamp(p.x, 0.0, ink_.width() - 1e-6), std::clamp(p.y, 0.0, ink_.height() - 1e-6)};
     if (norm2(p - inside) > side_ * side_) return false;
     p = inside;
+    if (nearest(ink_.mask, p, std::uint8_t{0})) return true;
     const double reach = options_.reach * ink_.stroke_width * mask_factor(mask_, p), gap = bilinear(ink_.gap, p);
-    if (gap < reach || nearest(ink_.mask, p, std::uint8_t{0})) return true;
+    if (gap < reach) return true;
     return nearest(filled_, p, std::uint8_t{0}) && gap < kFilledHole * reach + 0.5;
   }
 
@@ -191,6 +221,9 @@ class Refinement {
                       [&](const LatticeTriangle& t) { split_where_needed(lattice, t, levels_, strip); });
     });
     std::vector<LatticeTriangle> leaves;
+    std::size_t count = 0;
+    for (const auto& strip : strips) count += strip.size();
+    leaves.reserve(count);
     for (const auto& strip : strips) leaves.insert(leaves.end(), strip.begin(), strip.end());
     return leaves;
   }
@@ -209,17 +242,25 @@ class Refinement {
     const double margin = 3.0 * step, left = std::max(extent.low.x, first - margin),
                  right = std::min(extent.high.x, last + margin);
     for (int i = root_below(left) - step; i <= right; i += step) {
-      visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
-      visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
-      i += step * clear_cells(lattice.at({i, j}), step);
+      const Vec2 p = lattice.at({i, j});
+      const int clear = mask_ ? 0 : clear_cells(p);
+      if (clear == 0) {
+        visit({LatticePoint{i, j}, LatticePoint{i + step, j}, LatticePoint{i, j + step}});
+        visit({LatticePoint{i + step, j}, LatticePoint{i + step, j + step}, LatticePoint{i, j + step}});
+      }
+      i += step * (mask_ ? clear_cells_after(p, step) : std::max(0, clear - 1));
     }
   }
 
-  // How many of the next cells of a row are out of reach for sure: the interpolated distance to the ink changes by no more than
-  // sqrt 2 px a pixel.
-  int clear_cells(Vec2 p, int step) const {
-    const double largest = mask_ ? finest_ * (1 << levels_) : 1, cell = side_ * step,
-                 clear = (bilinear(ink_.gap, p) - far_from_band(cell, largest)) / std::numbers::sqrt2;
+  // Without a mask: how many cells of a row, from that of p on, are out of reach for sure.
+  int clear_cells(Vec2 p) const {
+    return std::max(0, static_cast<int>((static_cast<double>(nearest_inside(ink_.gap, p)) - widest_near_) / side_));
+  }
+
+  // With a mask: how many of the next cells are.  The interpolated distance to the ink changes by no more than sqrt 2 px a pixel.
+  int clear_cells_after(Vec2 p, int step) const {
+    const double cell = side_ * step,
+                 clear = (bilinear(ink_.gap, p) - far_from_band(cell, finest_ * (1 << levels_))) / std::numbers::sqrt2;
     return std::max(0, static_cast<int>(clear / cell) - 3);
   }
 
@@ -306,64 +347,48 @@ class Refinement {
   int levels_ = 0;
   double side_ = 1;
   double finest_ = 1;
+  double widest_near_ = 0;  // px: where a pixel is farther from the ink, no triangle of its cell is in the band without a mask
 };
-
-// Sorts items by the integer key of each, stably.
-std::vector<int> sorted_by(const std::vector<int>& keys, const std::vector<int>& items) {
-  if (items.empty()) return {};
-  const auto [low, high] = std::minmax_element(keys.begin(), keys.end());
-  std::vector<int> next(at(*high - *low) + 2, 0);
-  for (const int item : items) ++next[at(keys[at(item)] - *low) + 1];
-  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
-  std::vector<int> sorted(items.size());
-  for (const int item : items) sorted[at(next[at(keys[at(item)] - *low)]++)] = item;
-  return sorted;
-}
-
-std::vector<int> numbers_below(std::size_t count) {
-  std::vector<int> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return numbers;
-}
 
 // Numbers the lattice points that are used, in lattice order.
 void number_points(const std::vector<LatticeTriangle>& triangles, const Lattice& lattice, BandMesh& mesh) {
-  std::vector<int> i, j;  // per corner
-  i.reserve(3 * triangles.size());
-  j.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles)
-    for (const LatticePoint p : triangle) i.push_back(p.i), j.push_back(p.j);
-  mesh.faces.resize(triangles.size());
-  for (const int c : sorted_by(j, sorted_by(i, numbers_below(i.size())))) {
-    const LatticePoint p{i[at(c)], j[at(c)]};
-    if (mesh.lattice.empty() || !(mesh.lattice.back() == p)) mesh.lattice.push_back(p);
-    mesh.faces[at(c / 3)][at(c % 3)] = static_cast<int>(mesh.lattice.size()) - 1;
-  }
+  const PointSet used(triangles);
+  const std::vector<int> counts = used.counts_before();
+  mesh.faces.reserve(triangles.size());
+  for (const auto& t : triangles)
+    mesh.faces.push_back({used.number_of(t[0], counts), used.number_of(t[1], counts), used.number_of(t[2], counts)});
+  mesh.lattice = used.points();
   mesh.points.reserve(mesh.lattice.size());
   for (const auto p : mesh.lattice) mesh.points.push_back(lattice.at(p));
 }
 
 void link_twins(BandMesh& mesh) {
-  std::vector<int> low, high;  // ends of each halfedge
-  low.reserve(3 * mesh.faces.size());
-  high.reserve(3 * mesh.faces.size());
-  for (const auto& t : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [first, second] = std::minmax(t[k], t[k == 2 ? 0 : k + 1]);
-      low.push_back(first), high.push_back(second);
-    }
-  const std::vector<int> halfedges = sorted_by(low, numbers_below(low.size()));
-  mesh.twins.assign(halfedges.size(), -1);
+  struct Entry {
+    int high, halfedge;
+  };
+  const auto for_each_halfedge = [&](auto visit) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = mesh.faces[f][k], b = mesh.faces[f][k == 2 ? 0 : k + 1];
+        visit(std::min(a, b), Entry{std::max(a, b), static_cast<int>(3 * f + k)});
+      }
+  };
+  std::vector<int> starts(mesh.points.size() + 1, 0);  // of the entries by the lower end
+  for_each_halfedge([&](int low, Entry) { ++starts[at(low) + 1]; });
+  for (std::size_t v = 0; v + 1 < starts.size(); ++v) starts[v + 1] += starts[v];
+  std::vector<Entry> entries(3 * mesh.faces.size());
+  std::vector<int> next(starts.begin(), starts.end() - 1);
+  for_each_halfedge([&](int low, Entry entry) { entries[at(next[at(low)]++)] = entry; });
+  mesh.twins.assign(entries.size(), -1);
   // At most two halfedges join two points, and few start at one.
-  for (std::size_t k = 0; k < halfedges.size(); ++k) {
-    const int h = halfedges[k];
-    for (std::size_t l = k + 1; l < halfedges.size() && low[at(halfedges[l])] == low[at(h)]; ++l) {
-      if (high[at(halfedges[l])] != high[at(h)]) continue;
-      mesh.twins[at(h)] = halfedges[l];
-      mesh.twins[at(halfedges[l])] = h;
-      break;
-    }
-  }
+  for (std::size_t v = 0; v + 1 < starts.size(); ++v)
+    for (int k = starts[v]; k < starts[v + 1]; ++k)
+      for (int l = k + 1; l < starts[v + 1]; ++l) {
+        if (entries[at(l)].high != entries[at(k)].high) continue;
+        mesh.twins[at(entries[at(k)].halfedge)] = entries[at(l)].halfedge;
+        mesh.twins[at(entries[at(l)].halfedge)] = entries[at(k)].halfedge;
+        break;
+      }
 }
 
 // Calls visit(corner) for the corners of a fan of faces around a point, from one of them on.
@@ -400,6 +425,21 @@ void split_touching_vertices(BandMesh& mesh) {
   }
 }
 
+// What the pixel at the barycentre of each face is.
+void describe_faces(const Ink& ink, const ScaleMask* mask, const Raster<std::uint8_t>& strokes, int threads, BandMesh& mesh) {
+  mesh.scale.resize(mesh.faces.size());
+  mesh.on_ink.resize(mesh.faces.size());
+  mesh.in_stroke.resize(mesh.faces.size());
+  for_ranges(threads, mesh.face_count(), kFacesOfTask, [&](int first, int last) {
+    for (int f = first; f < last; ++f) {
+      const Vec2 p = mesh.barycentre(f);
+      mesh.scale[at(f)] = static_cast<float>(mask_factor(mask, p));
+      mesh.on_ink[at(f)] = nearest_inside(ink.mask, p);
+      mesh.in_stroke[at(f)] = nearest_inside(strokes, p);
+    }
+  });
+}
+
 }  // namespace
 
 void number_components(BandMesh& mesh) {
@@ -419,19 +459,16 @@ BandMesh build_band(const Ink& ink, const ScaleMask* mask, const BandOptions& op
   if (ink.pixels == 0) return mesh;
   const Refinement refinement(ink, mask, options);
   const auto triangles = refinement.triangles();
-  number_points(triangles, Lattice(refinement.side(), ink.origin), mesh);
   mesh.side = refinement.side();
-  link_twins(mesh);
-  split_touching_vertices(mesh);
-  number_components(mesh);
-  mesh.scale.reserve(mesh.faces.size());
-  mesh.on_ink.reserve(mesh.faces.size());
-  const auto strokes = closed_ink(ink, options.reach * ink.stroke_width, options.threads);
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    mesh.scale.push_back(static_cast<float>(mask_factor(mask, mesh.barycentre(f))));
-    mesh.on_ink.push_back(nearest_inside(ink.mask, mesh.barycentre(f)));
-    mesh.in_stroke.push_back(nearest_inside(strokes, mesh.barycentre(f)));
-  }
+  Raster<std::uint8_t> strokes;
+  const auto link_triangles = [&] {
+    number_points(triangles, Lattice(refinement.side(), ink.origin), mesh);
+    link_twins(mesh);
+    split_touching_vertices(mesh);
+    number_components(mesh);
+  };
+  at_once(options.threads, link_triangles, [&] { strokes = closed_ink(ink, options.reach * ink.stroke_width, options.threads); });
+  describe_faces(ink, mask, strokes, options.threads, mesh);
   return mesh;
 }
 

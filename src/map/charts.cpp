@@ -1,7 +1,5 @@
 #include "map/charts.h"
 
-#include <deque>
-
 #include "base/at.h"
 #include "base/parallel.h"
 #include "map/known.h"
@@ -30,17 +28,18 @@ Axes axes_of(const Frame& frame) {
   return {s, cross(s, t) > 0 ? t : -t};
 }
 
-// Section 4: the number of quarter turns that bring `other` nearest to `axes`.
+// Section 4: the number of quarter turns that bring `other` nearest to `axes`.  Half a turn changes the sign of the agreement.
 int best_match(const Axes& axes, const Axes& other) {
+  const double even = dot(axes.s, other.s) + dot(axes.t, other.t), odd = dot(axes.s, other.t) - dot(axes.t, other.s);
   int best = 0;
   double most = -3;
-  for (int k = 0; k < 4; ++k) {
-    const Axes candidate = turned_axes(other, k);
-    const double agreement = dot(axes.s, candidate.s) + dot(axes.t, candidate.t);
+  int turns = 0;
+  for (const double agreement : {even, odd, -even, -odd}) {
     if (agreement > most + 1e-12) {
       most = agreement;
-      best = k;
+      best = turns;
     }
+    ++turns;
   }
   return best;
 }
@@ -64,22 +63,23 @@ std::vector<Axes> face_axes(const BandMesh& mesh, const FrameField& field, int t
 // halfedges the tree crosses, and those that are known to be uncut.
 std::vector<std::uint8_t> comb(const BandMesh& mesh, const Known* known, std::vector<Axes>& axes) {
   std::vector<std::uint8_t> crossed(3 * mesh.faces.size(), 0), seen(mesh.faces.size(), 0);
-  std::deque<int> queue;
+  std::vector<int> queue;  // all that were seen, in their order
+  queue.reserve(mesh.faces.size());
   if (known) {
     crossed = known->uncut;
     seen = known->faces;
     for (int f = 0; f < mesh.face_count(); ++f)
       if (seen[at(f)]) queue.push_back(f);
   }
+  std::size_t next = 0;
   // Without a face at first: what is known.
   for (int seed = -1; seed < mesh.face_count(); ++seed) {
     if (seed >= 0 && !seen[at(seed)]) {
       seen[at(seed)] = 1;
       queue.push_back(seed);
     }
-    while (!queue.empty()) {
-      const int f = queue.front();
-      queue.pop_front();
+    while (next < queue.size()) {
+      const int f = queue[next++];
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
         const int twin = mesh.twins[at(h)];
         if (twin < 0 || seen[at(face_of(twin))]) continue;
@@ -95,23 +95,22 @@ std::vector<std::uint8_t> comb(const BandMesh& mesh, const Known* known, std::ve
 }
 
 // Quarter turns collected on a walk around each interior vertex.
-std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vector<std::uint8_t>& turns) {
+std::vector<std::uint8_t> singular_vertices(const BandMesh& mesh, const std::vector<std::uint8_t>& turns,
+                                            const std::vector<std::uint8_t>& boundary) {
   std::vector<std::uint8_t> sum(mesh.points.size(), 0);
   // Walking around a vertex crosses each of its halfedges once, outgoing ones from one side.
   for (int h = 0; h < 3 * mesh.face_count(); ++h) {
-    const int vertex = mesh.vertex_of(h);
-    auto& s = sum[at(vertex)];
+    if (turns[at(h)] == 0) continue;
+    auto& s = sum[at(mesh.vertex_of(h))];
     s = static_cast<std::uint8_t>((s + turns[at(h)]) & 3);
   }
-  const auto boundary = boundary_vertices(mesh);
   for (std::size_t v = 0; v < sum.size(); ++v)
     if (boundary[v]) sum[v] = 0;
   return sum;
 }
 
 // Removes open cuts that end neither at a singular vertex nor at the boundary.
-void prune_open_cuts(const BandMesh& mesh, Charts& charts) {
-  const auto boundary = boundary_vertices(mesh);
+void prune_open_cuts(const BandMesh& mesh, const std::vector<std::uint8_t>& boundary, Charts& charts) {
   std::vector<int> degree(mesh.points.size(), 0);
   std::vector<int> first(mesh.points.size() + 1, 0);
   const auto cut_at = [&](int h) { return charts.cut[at(h)] != 0; };
@@ -162,9 +161,12 @@ Charts comb_charts(const BandMesh& mesh, const FrameField& field, const Known* k
     charts.turns[h] = static_cast<std::uint8_t>(turn);
     charts.turns[at(twin)] = static_cast<std::uint8_t>((4 - turn) & 3);
   }
-  charts.singular = singular_vertices(mesh, charts.turns);
+  const std::vector<std::uint8_t> boundary = boundary_vertices(mesh);
+  charts.singular = singular_vertices(mesh, charts.turns, boundary);
   for (const auto k : charts.singular) charts.singularities += k != 0;
-  prune_open_cuts(mesh, charts);
+  prune_open_cuts(mesh, boundary, charts);
+  charts.s.reserve(axes.size());
+  charts.t.reserve(axes.size());
   for (const auto& a : axes) {
     charts.s.push_back(a.s);
     charts.t.push_back(a.t);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/at.h"
+#include "base/parallel.h"
 
 namespace inkgrid {
 namespace {
@@ -38,9 +39,13 @@ void place_corners(const GridMap& map, ExactMap& exact) {
 
 }  // namespace
 
-ExactMap round_map(const GridMap& map) {
-  ExactMap exact{map.corner_shift, map.transitions};
-  place_corners(map, exact);
+ExactMap round_map(const GridMap& map, int threads) {
+  ExactMap exact;
+  const auto copy_and_place_corners = [&] {
+    exact.uv = map.corner_shift;
+    place_corners(map, exact);
+  };
+  at_once(threads, copy_and_place_corners, [&] { exact.transitions = map.transitions; });
   return exact;
 }
 

@@ -20,7 +20,7 @@ struct ExactMap {
 
 // Coordinates of a regular vertex never are whole grid units: they are moved by one unit of the last place where they would be,
 // the same way in every chart, so an isoline passes through no regular vertex.
-ExactMap round_map(const GridMap& map);
+ExactMap round_map(const GridMap& map, int threads = 1);
 ExactMap round_map(GridMap&& map);
 
 }  // namespace inkgrid

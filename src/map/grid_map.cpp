@@ -15,6 +15,8 @@ namespace inkgrid {
 
 namespace {
 
+constexpr int kCornersOfTask = 1 << 15;
+
 struct Unknowns {
   std::vector<Vec2> vertex;            // (u, v)
   std::vector<IVec2> shift;            // per free shift
@@ -126,15 +128,17 @@ GridMap assemble_map(const MapSetup& setup, const Unknowns& unknowns) {
   map.corner_turn = cuts.corner_turn;
   map.half_integer = cuts.fixed_point;
   const std::size_t corners = 3 * setup.mesh.faces.size();
-  map.corner_base.reserve(corners);
-  map.corner_shift.reserve(corners);
-  map.transitions.reserve(corners);
-  for (int c = 0; c < 3 * setup.mesh.face_count(); ++c) {
-    map.corner_base.push_back(setup.mesh.vertex_of(c));
-    map.corner_shift.push_back(translation(cuts.corner_form[at(c)]));
-    map.transitions.push_back(
-        {setup.mesh.twins[at(c)] < 0 ? 0 : setup.charts.turns[at(c)], translation(cuts.halfedge_form[at(c)])});
-  }
+  map.corner_base.resize(corners);
+  map.corner_shift.resize(corners);
+  map.transitions.resize(corners);
+  for_ranges(setup.options.threads, static_cast<int>(corners), kCornersOfTask, [&](int first, int last) {
+    for (int c = first; c < last; ++c) {
+      map.corner_base[at(c)] = setup.mesh.vertex_of(c);
+      map.corner_shift[at(c)] = translation(cuts.corner_form[at(c)]);
+      map.transitions[at(c)] = {setup.mesh.twins[at(c)] < 0 ? 0 : setup.charts.turns[at(c)],
+                                translation(cuts.halfedge_form[at(c)])};
+    }
+  });
   map.cut_integers = 2 * static_cast<int>(cuts.shift_component.size());
   map.snapping_integers = static_cast<int>(setup.snap.component.size());
   map.cuts = cuts.paths;

@@ -16,9 +16,10 @@ Block rotation(double factor, int turn) {
 
 class ComponentProblem {
  public:
-  ComponentProblem(const MapSetup& setup, const MapLayout& layout, int component)
+  ComponentProblem(const MapSetup& setup, const MapLayout& layout, int component, const EliminationPlan* plan)
       : setup_(setup), layout_(layout), reals_(2 * layout.nodes[at(component)]) {
-    problem_.reals = PairMatrix(layout.nodes[at(component)], edges(component));
+    problem_.reals =
+        plan ? PairMatrix(plan->matrix_starts, plan->matrix_rows) : PairMatrix(layout.nodes[at(component)], edges(component));
     problem_.real_b.resize(at(layout.nodes[at(component)]));
     problem_.coupling.resize(at(layout.integers[at(component)]));
     problem_.integral_b.assign(at(layout.integers[at(component)]), 0.0);
@@ -254,8 +255,8 @@ FaceFrame face_frame(const MapSetup& setup, int f) {
 
 MixedIntegerProblem map_problem(const MapSetup& setup, const MapLayout& layout, int component, EliminationPlan* plan,
                                 int threads) {
-  ComponentProblem problem(setup, layout, component);
-  const bool unplanned = plan && plan->starts.empty();
+  const bool planned = plan && !plan->starts.empty(), unplanned = plan && !planned;
+  ComponentProblem problem(setup, layout, component, planned ? plan : nullptr);
   at_once(
       unplanned ? threads : 1, [&] { problem.add_faces(component); },
       [&] {

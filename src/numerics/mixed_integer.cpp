@@ -1,6 +1,7 @@
 #include "numerics/mixed_integer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -87,6 +88,46 @@ class Accumulator {
   std::vector<int> indices_;
 };
 
+// Lists of terms, each in the order in which they came; most hold few, so that they share their memory.
+class TermLists {
+ public:
+  explicit TermLists(std::size_t count) : first_(count, -1), last_(count, -1) {}
+
+  void append(int list, const SparseTerm& term) {
+    int& last = last_[at(list)];
+    if (last < 0 || chunks_[at(last)].count == kTermsOfChunk) {
+      const int added = static_cast<int>(chunks_.size());
+      (last < 0 ? first_[at(list)] : chunks_[at(last)].next) = added;
+      last = added;
+      chunks_.emplace_back();
+    }
+    Chunk& chunk = chunks_[at(last)];
+    chunk.terms[at(chunk.count++)] = term;
+  }
+
+  // Calls visit(term) for the terms of a list whose indices are no more than `most`; indices ascend.
+  template <class Visit>
+  void for_each_up_to(int most, int list, const Visit& visit) const {
+    for (int k = first_[at(list)]; k >= 0; k = chunks_[at(k)].next)
+      for (int e = 0; e < chunks_[at(k)].count; ++e) {
+        if (chunks_[at(k)].terms[at(e)].index > most) return;
+        visit(chunks_[at(k)].terms[at(e)]);
+      }
+  }
+
+ private:
+  static constexpr int kTermsOfChunk = 3;
+
+  struct Chunk {
+    std::array<SparseTerm, kTermsOfChunk> terms;
+    int count = 0;
+    int next = -1;
+  };
+
+  std::vector<int> first_, last_;  // chunk of each list, -1 where it is empty
+  std::vector<Chunk> chunks_;
+};
+
 // Some rows of the coupling, half-solved down to `least` of their own diagonal.
 std::vector<SparseVector> half_solved(const MixedIntegerProblem& problem, const PairLdl& factor,
                                       const std::vector<double>& diagonal, double least, int first, int last, int threads) {
@@ -103,26 +144,24 @@ std::vector<SparseVector> half_solved(const MixedIntegerProblem& problem, const 
 }
 
 // With the half-solved rows up to number i, which is `half`; row i has a diagonal even where all is zero.
-void subtract_products(const SparseVector& half, const std::vector<SparseVector>& by_real, int i, Accumulator& row) {
+void subtract_products(const SparseVector& half, const TermLists& by_real, int i, Accumulator& row) {
   row.add(i, 0);
   for (const SparseTerm& mine : half)
-    for (const SparseTerm& other : by_real[at(mine.index)]) {
-      if (other.index > i) break;
-      row.add(other.index, -mine.value * other.value);
-    }
+    by_real.for_each_up_to(i, mine.index, [&](const SparseTerm& other) { row.add(other.index, -mine.value * other.value); });
 }
 
 // The lower triangle of  S = integral - coupling real^(-1) coupling', by rows; the second part by products of half-solved rows.
 std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, const PairLdl& factor, double least, int threads) {
   const int size = integer_count(problem);
   const std::vector<double> diagonal = integral_diagonal(problem);
-  std::vector<SparseVector> rows(at(size)), integral(at(size)), by_real(2 * problem.real_b.size());
+  std::vector<SparseVector> rows(at(size)), integral(at(size));
+  TermLists by_real(2 * problem.real_b.size());
   for (const auto& e : problem.integral) integral[at(e.row)].push_back({e.column, e.value});
   for (int first = 0; first < size; first += kRowsAtOnce) {
     const int last = std::min(size, first + kRowsAtOnce);
     const std::vector<SparseVector> halves = half_solved(problem, factor, diagonal, least, first, last, threads);
     for (int i = first; i < last; ++i)
-      for (const SparseTerm& term : halves[at(i - first)]) by_real[at(term.index)].push_back({i, term.value});
+      for (const SparseTerm& term : halves[at(i - first)]) by_real.append(term.index, {i, term.value});
     for_ranges(threads, last - first, kRowsOfTask, [&](int from, int end) {
       Accumulator sum(size);
       for (int i = first + from; i < first + end; ++i) {
@@ -135,14 +174,18 @@ std::vector<SparseVector> schur_complement(const MixedIntegerProblem& problem, c
   return rows;
 }
 
-// The least energy that the integers allow, the reals having answered.  `answer`: the reals when all integers are zero.
-Quadratic reduce(const MixedIntegerProblem& problem, const PairLdl& factor, const std::vector<RealPair>& answer,
-                 const Accuracy& accuracy, int threads) {
+// The least energy that the integers allow, the reals having answered.
+Quadratic reduce(const MixedIntegerProblem& problem, const PairLdl& factor, const Accuracy& accuracy, int threads) {
   const int size = integer_count(problem);
+  std::vector<RealPair> answer;  // the reals when all integers are zero
+  std::vector<SparseVector> lower;
+  at_once(
+      threads, [&] { answer = factor.solve(problem.real_b); },
+      [&] { lower = schur_complement(problem, factor, accuracy.floor, threads); });
   Quadratic reduced{std::vector<SparseVector>(at(size)), {}, problem.integral_b, -dot(problem.real_b, answer) / 2};
   for (int i = 0; i < size; ++i)
-    for (const SparseTerm& term : problem.coupling[at(i)]) reduced.h[at(i)] -= term.value * scalar(answer, term.index);
-  const std::vector<SparseVector> lower = schur_complement(problem, factor, accuracy.floor, threads);
+    for (const SparseTerm& term : problem.coupling[at(i)])
+      reduced.h[at(i)] -= term.value * scalar(std::as_const(answer), term.index);
   for (int i = 0; i < size; ++i)
     for (const SparseTerm& term : lower[at(i)]) {
       if (term.index == i) {
@@ -157,17 +200,17 @@ Quadratic reduce(const MixedIntegerProblem& problem, const PairLdl& factor, cons
 }
 
 void require_finite(const MixedIntegerProblem& problem) {
-  double sum = 0;  // of zeros, unless a value is not finite
-  const auto add = [&](double value) { sum += 0 * value; };
-  const auto add_block = [&](const Block& x) { add(x.a), add(x.b), add(x.c), add(x.d); };
-  for (const Block& block : problem.reals.diagonal()) add_block(block);
-  for (const Block& block : problem.reals.blocks()) add_block(block);
-  for (const RealPair& b : problem.real_b) add(b.p), add(b.q);
+  bool finite = true;
+  const auto look_at = [&](double value) { finite &= std::isfinite(value); };
+  const auto look_at_block = [&](const Block& x) { look_at(x.a), look_at(x.b), look_at(x.c), look_at(x.d); };
+  for (const Block& block : problem.reals.diagonal()) look_at_block(block);
+  for (const Block& block : problem.reals.blocks()) look_at_block(block);
+  for (const RealPair& b : problem.real_b) look_at(b.p), look_at(b.q);
   for (const SparseVector& row : problem.coupling)
-    for (const SparseTerm& term : row) add(term.value);
-  for (const auto& e : problem.integral) add(e.value);
-  for (const double b : problem.integral_b) add(b);
-  if (std::isnan(sum)) throw Error(ErrorCode::numerics, "A linear system holds a value that is not finite.");
+    for (const SparseTerm& term : row) look_at(term.value);
+  for (const auto& e : problem.integral) look_at(e.value);
+  for (const double b : problem.integral_b) look_at(b);
+  if (!finite) throw Error(ErrorCode::numerics, "A linear system holds a value that is not finite.");
 }
 
 // The reals, given the integers.
@@ -184,9 +227,9 @@ std::vector<RealPair> answer_of_reals(const MixedIntegerProblem& problem, const 
 MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, EliminationPlan plan,
                                          const MixedIntegerLimits& limits) {
   require_finite(problem);
-  const PairLdl factor(problem.reals, std::move(plan), limits.threads);
+  PairLdl factor(problem.reals, std::move(plan), limits.threads);
   const bool many = integer_count(problem) > limits.one_by_one;
-  const Quadratic reduced = reduce(problem, factor, factor.solve(problem.real_b), many ? kForMany : kExact, limits.threads);
+  const Quadratic reduced = reduce(problem, factor, many ? kForMany : kExact, limits.threads);
   const Rounding rounding =
       many ? round_in_batches(reduced, limits.stop) : round_one_by_one(reduced, integral_diagonal(problem), limits.stop);
   MixedIntegerSolution solution;
@@ -195,7 +238,7 @@ MixedIntegerSolution solve_mixed_integer(const MixedIntegerProblem& problem, Eli
   solution.energy = reduced.energy(solution.integers);
   solution.greedy_energy = reduced.energy(rounding.rounded);
   solution.relaxed_energy = reduced.energy(rounding.relaxed);
-  solution.plan = factor.plan();
+  solution.plan = std::move(factor).plan();
   return solution;
 }
 

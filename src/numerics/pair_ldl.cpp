@@ -121,6 +121,8 @@ void plan_columns(EliminationPlan& plan) {
 
 EliminationPlan plan_elimination(const PairMatrix& matrix) {
   EliminationPlan plan;
+  plan.matrix_starts = matrix.starts();
+  plan.matrix_rows = matrix.rows();
   plan.places = elimination_places(matrix.starts(), matrix.rows());
   plan_rows(matrix, plan);
   plan_columns(plan);
@@ -275,6 +277,9 @@ PairMatrix::PairMatrix(int size, const std::vector<std::array<int, 2>>& edges) :
   blocks_.resize(rows_.size());
 }
 
+PairMatrix::PairMatrix(std::vector<int> starts, std::vector<int> rows)
+    : starts_(std::move(starts)), rows_(std::move(rows)), blocks_(rows_.size()), diagonal_(starts_.size() - 1) {}
+
 namespace {
 
 // y += the lower triangle, its transpose and the diagonal, times x.
@@ -387,32 +392,31 @@ template std::vector<ComplexPair> PairLdl::solve(const std::vector<ComplexPair>&
 HalfSolver::HalfSolver(const PairLdl& factor)
     : factor_(factor), work_(factor.plan_.places.size()), marked_(factor.plan_.places.size(), 0) {}
 
-// The columns that a solve with the right hand side `a` visits, each after those it depends on: the paths from its terms to the
+// The columns that a solve with the right hand side `a` visits, each before those it depends on: the paths from its terms to the
 // root.
-std::vector<int> HalfSolver::reach(const SparseVector& a) {
+void HalfSolver::find_reach(const SparseVector& a) {
   const EliminationPlan& plan = factor_.plan_;
-  std::vector<int> reversed, path;
+  reach_.clear();
   for (const SparseTerm& term : a) {
-    path.clear();
+    path_.clear();
     for (int k = plan.places[at(term.index / 2)]; k >= 0 && !marked_[at(k)]; k = plan.parents[at(k)]) {
       marked_[at(k)] = 1;
-      path.push_back(k);
+      path_.push_back(k);
     }
-    reversed.insert(reversed.end(), path.rbegin(), path.rend());
+    reach_.insert(reach_.end(), path_.rbegin(), path_.rend());
   }
-  for (const int k : reversed) marked_[at(k)] = 0;
-  std::reverse(reversed.begin(), reversed.end());
-  return reversed;
+  for (const int k : reach_) marked_[at(k)] = 0;
 }
 
 SparseVector HalfSolver::solve(const SparseVector& a, double floor) {
-  const std::vector<int> columns = reach(a);
+  find_reach(a);
   for (const SparseTerm& term : a) {
     RealPair& pair = work_[at(factor_.plan_.places[at(term.index / 2)])];
     (term.index % 2 == 0 ? pair.p : pair.q) += term.value;
   }
   SparseVector result;
-  for (const int k : columns) {
+  for (auto column = reach_.rbegin(); column != reach_.rend(); ++column) {
+    const int k = *column;
     const RealPair yk = std::exchange(work_[at(k)], {});
     // D^(-1) = C C' with C = [root, 0; inverse.b / root, rest]; the terms are those of C' y.
     const Block& inverse = factor_.inverse_pivots_[at(k)];

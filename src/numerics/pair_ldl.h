@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "base/at.h"
@@ -56,6 +57,8 @@ class PairMatrix {
  public:
   // `edges`: the pairs of different nodes that may have a block, in any order, repeated or not.
   PairMatrix(int size, const std::vector<std::array<int, 2>>& edges);
+  // With blocks where another matrix has them.
+  PairMatrix(std::vector<int> starts, std::vector<int> rows);
 
   // Adds a block at row i and column j, which implies its transpose at (j, i); where i == j it must be symmetric.
   void add(int i, int j, const Block& block);
@@ -87,7 +90,8 @@ inline void PairMatrix::add(int i, int j, const Block& block) {
 
 // What a factorisation does, whatever the values: the same for all matrices with blocks at the same places.
 struct EliminationPlan {
-  std::vector<int> places;   // of each node in the order of elimination
+  std::vector<int> matrix_starts, matrix_rows;  // the strictly lower triangle of A by columns
+  std::vector<int> places;                      // of each node in the order of elimination
   std::vector<int> parents;  // per place: that of the first row below the diagonal of its column of L, -1 where it has none
   std::vector<int> starts;   // L by columns, its unit diagonal left out
   // The strictly lower triangle of P A P' by rows: its columns, and its blocks as their places among those of A, or ~place where
@@ -114,7 +118,8 @@ class PairLdl {
   // any number of threads.
   explicit PairLdl(const PairMatrix& matrix, EliminationPlan plan = {}, int threads = 1);
 
-  const EliminationPlan& plan() const { return plan_; }
+  const EliminationPlan& plan() const& { return plan_; }
+  EliminationPlan plan() && { return std::move(plan_); }
 
   // For real and for complex pairs.
   template <class Scalar>
@@ -138,11 +143,12 @@ class HalfSolver {
   SparseVector solve(const SparseVector& a, double floor);
 
  private:
-  std::vector<int> reach(const SparseVector& a);
+  void find_reach(const SparseVector& a);
 
   const PairLdl& factor_;
   std::vector<RealPair> work_;  // zero between calls
   std::vector<char> marked_;    // zero between calls
+  std::vector<int> reach_, path_;
 };
 
 }  // namespace inkgrid

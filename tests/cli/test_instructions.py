@@ -16,11 +16,11 @@ CLEAN = {
     'measure_ink': 27,
     'slimming_of': 42,
     'slim_ink': 15.4,
-    'build_band': 74,
-    'solve_field': 97,
-    'comb_charts': 23,
+    'build_band': 52,
+    'solve_field': 95,
+    'comb_charts': 21,
     'label_strokes': 97,
-    'solve_grid_map': 157,
+    'solve_grid_map': 154,
     'trace_isolines': 32,
     'chain_strokes': 4.5,
     'follow_ridges': 81,
@@ -35,7 +35,7 @@ CLEAN = {
     'mark_leftovers': 2.8,
     'fit_outlines': 16,
     'fit_curves': 73,
-    'PROGRAM TOTALS': 887,
+    'PROGRAM TOTALS': 846,
 }
 # With bundles looked for: all but threshold, fills and ink runs twice.
 ROUGH = {
@@ -45,7 +45,7 @@ ROUGH = {
     'find_bundles': 15.8,
     'join_bundles': 18,
     'closed_ink': 35,
-    'PROGRAM TOTALS': 1050,
+    'PROGRAM TOTALS': 1012,
 }
 MOST = 1.3   # times that
 
