@@ -247,6 +247,17 @@ TEST(Corners, WhatFacesTheEndOfAnotherChainIsNoTip) {
   EXPECT_EQ(open_corners(ridges, {kTip}, plain(all_ink()), {25, 3.6}).size(), 4u);
 }
 
+// Round ends that touch are narrower there than slimming leaves.
+TEST(Corners, EndsThatTouchAtAWideAngleStayApart) {
+  const Raster<std::uint8_t> drawn = fork_ink(130, 0);
+  Raster<std::uint8_t> slim = drawn;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x)
+      if (const double away = norm(Vec2{x + 0.5, y + 0.5} - kTip); away > 6 && away < 12) slim(x, y) = 0;
+  EXPECT_EQ(open_corners(open_arms(130), {}, {slim, drawn}, {60, 3.6}).size(), 2u);
+  EXPECT_EQ(open_corners(open_arms(130), {}, {drawn, drawn}, {60, 3.6}).size(), 1u);
+}
+
 Arrival arrival_along(Vec2 point, Vec2 direction) {
   return {true, point, unit(direction), 0, {}};
 }

@@ -199,9 +199,11 @@ class Corners {
   std::optional<SharedTip> shared_tip(const Arm& a, const Arm& b, bool at_end_of_ink) {
     if (a.end.chain == b.end.chain && lengths_along(chain(a.end.chain).points).back() < 2 * options_.longest) return std::nullopt;
     const double width = width_of(a.end, b.end);
-    if (const auto tip = corner_of(a.line, b.line, width, ink_.drawn, options_, options_.longest)) {
-      const bool fits = at_end_of_ink ? ends_behind(*tip, a.line, b.line, width, ink_.slim, options_)
-                                      : dot(a.line.direction, b.line.direction) > kArms && !passed_by(*tip, width);
+    const bool share_blot = dot(a.line.direction, b.line.direction) > kArms;  // which slimming hollows out
+    const auto& ink = share_blot ? ink_.drawn : ink_.slim;
+    if (const auto tip = corner_of(a.line, b.line, width, ink, options_, options_.longest)) {
+      const bool fits =
+          at_end_of_ink ? ends_behind(*tip, a.line, b.line, width, ink_.slim, options_) : share_blot && !passed_by(*tip, width);
       const SharedTip shared{settled_tip(*tip, a.line, b.line, width, ink_, options_), a.line, b.line};
       if (fits && are_apart(shared, width)) return shared;
     }
