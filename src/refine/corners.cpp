@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGoesOn = 0.4;    // cosine of the angle between a side and the tip: more is a branch
 constexpr double kArms = 0.17;     // cosine of the widest angle between arms that share a blot, 80 degrees
-constexpr double kApart = 0.5;     // strokes
+constexpr double kApart = 0.5;     // strokes between the sides of a corner where each of them is confirmed
 constexpr double kFacing = 1.5;    // strokes between ends that may go on into each other
 constexpr double kInside = 0.4;    // strokes that the ink goes on behind a corner that is all but straight
 constexpr double kIsolated = 0.5;  // strokes: confirmed parts shorter than this between others that are not are none

@@ -11,7 +11,7 @@
 #include "graph/dissolve.h"
 #include "refine/arrival.h"
 #include "refine/cuts.h"
-#include "refine/ownership.h"
+#include "refine/ridge.h"
 
 namespace inkgrid {
 namespace {
@@ -340,13 +340,7 @@ namespace {
 
 // From a place in a stroke to its rim on both sides, on average; no more than `farthest` is looked at.
 double half_chord(const Ink& ink, Vec2 p, Vec2 across, double farthest) {
-  double sum = 0;
-  for (const Vec2 side : {across, -across}) {
-    double t = 0;
-    while (t < farthest && on_ink(ink, p + t * side)) t += kWalkStep;
-    sum += t;
-  }
-  return sum / 2;
+  return 0.5 * (ink_ahead(ink.mask, p, across, kWalkStep, farthest) + ink_ahead(ink.mask, p, -across, kWalkStep, farthest));
 }
 
 // How far inside the end of its ink a stroke ends: where it is as far from there as from its sides, as the middle of a round

@@ -154,10 +154,7 @@ class Refinement {
   CornerInk corner_ink() const { return {ink_.mask, drawn_}; }
 
   CornerOptions corners(double longest) const {
-    CornerOptions corners{longest, kTipMiss * options_.pen, 0, 0};
-    corners.hidden = hidden();
-    if (is_fine()) corners.pen = options_.pen;
-    return corners;
+    return {longest, kTipMiss * options_.pen, hidden(), is_fine() ? options_.pen : 0};
   }
 
   const Ink& ink_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -157,9 +158,7 @@ void judge(std::vector<CrossSection>& sections, const std::vector<double>& usual
 }
 
 double extent_of(const Raster<std::uint8_t>& ink, Vec2 p, Vec2 direction) {
-  double t = 0;
-  while (nearest(ink, p + t * direction, std::uint8_t{0})) t += kWalkStep;
-  return t;
+  return ink_ahead(ink, p, direction, kWalkStep, std::numeric_limits<double>::infinity());
 }
 
 // Where slimming left but a thread between two rims, or moved the one rim by more than it usually does, the rims are none that
@@ -356,6 +355,12 @@ void measure(RidgeChain& ridge, double stroke_width, double step) {
 }
 
 }  // namespace
+
+double ink_ahead(const Raster<std::uint8_t>& ink, Vec2 from, Vec2 direction, double step, double farthest) {
+  double t = 0;
+  while (t < farthest && nearest(ink, from + t * direction, std::uint8_t{0})) t += step;
+  return t;
+}
 
 std::vector<RidgeChain> follow_ridges(const std::vector<Chain>& chains, const InkBands& bands, const RidgeOptions& options) {
   std::vector<RidgeChain> ridges, wholes;

@@ -36,6 +36,9 @@ struct RidgeOptions {
   bool corners = false;                         // whether the two sides of a sharp corner of one chain have ink of their own
 };
 
+// How far ink goes on from a point, told in steps, px; no more than `farthest` is looked at.
+double ink_ahead(const Raster<std::uint8_t>& ink, Vec2 from, Vec2 direction, double step, double farthest);
+
 // Resamples every chain and moves its points to the weighted middle of the ink that it owns; where another chain's ink adjoins,
 // the side that is paper decides.  Ends are not moved along the chain; junctions are left where they are (locate_junctions moves
 // them).

@@ -23,12 +23,6 @@ bool is_pointed(const Arrival& a, const Arrival& b) {
   return dot(a.direction, b.direction) > kPointed;
 }
 
-double ink_ahead(const Raster<std::uint8_t>& ink, Vec2 from, Vec2 direction, double farthest) {
-  double t = 0;
-  while (t < farthest && nearest(ink, from + t * direction, std::uint8_t{0})) t += kWalkStep;
-  return t;
-}
-
 }  // namespace
 
 double half_sine(const Arrival& a, const Arrival& b) {
@@ -74,10 +68,11 @@ Vec2 settled_tip(Vec2 tip, const Arrival& a, const Arrival& b, double width, con
   if (!is_pointed(a, b) || !ends_behind(tip, a, b, width, ink.slim, options)) return tip;
   const double pen = options.pen, farthest = kFarthestEnd * pen;
   const Vec2 outward = unit(a.direction + b.direction), across = quarter_turn(outward);
-  const double end = ink_ahead(ink.drawn, tip, outward, farthest);
+  const double end = ink_ahead(ink.drawn, tip, outward, kWalkStep, farthest);
   if (end <= 0.5 * pen || end >= farthest) return tip;
   const Vec2 centre = tip + (end - 0.5 * pen) * outward;
-  const double left = ink_ahead(ink.drawn, centre, across, pen), right = ink_ahead(ink.drawn, centre, -across, pen);
+  const double left = ink_ahead(ink.drawn, centre, across, kWalkStep, pen),
+               right = ink_ahead(ink.drawn, centre, -across, kWalkStep, pen);
   return left + right < kRound * pen ? tip : centre + 0.5 * (left - right) * across;
 }
 
