@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <utility>
 
 #include "base/at.h"
@@ -88,44 +89,52 @@ class Accumulator {
   std::vector<int> indices_;
 };
 
-// Lists of terms, each in the order in which they came; most hold few, so that they share their memory.
+// Lists of terms, each in ascending order of indices; most hold few, so that they share their memory.
 class TermLists {
  public:
   explicit TermLists(std::size_t count) : first_(count, -1), last_(count, -1) {}
 
   void append(int list, const SparseTerm& term) {
     int& last = last_[at(list)];
-    if (last < 0 || chunks_[at(last)].count == kTermsOfChunk) {
+    if (last < 0 || count_of(chunks_[at(last)]) == kTermsOfChunk) {
       const int added = static_cast<int>(chunks_.size());
       (last < 0 ? first_[at(list)] : chunks_[at(last)].next) = added;
       last = added;
       chunks_.emplace_back();
     }
     Chunk& chunk = chunks_[at(last)];
-    chunk.terms[at(chunk.count++)] = term;
+    const int place = count_of(chunk);
+    chunk.indices[at(place)] = term.index;
+    chunk.values[at(place)] = term.value;
   }
 
-  // Calls visit(term) for the terms of a list whose indices are no more than `most`; indices ascend.
+  // Calls visit(index, value) for the terms of a list whose indices are no more than `most`.
   template <class Visit>
   void for_each_up_to(int most, int list, const Visit& visit) const {
-    for (int k = first_[at(list)]; k >= 0; k = chunks_[at(k)].next)
-      for (int e = 0; e < chunks_[at(k)].count; ++e) {
-        if (chunks_[at(k)].terms[at(e)].index > most) return;
-        visit(chunks_[at(k)].terms[at(e)]);
+    for (int k = first_[at(list)]; k >= 0; k = chunks_[at(k)].next) {
+      const Chunk& chunk = chunks_[at(k)];
+      for (int e = 0; e < kTermsOfChunk && chunk.indices[at(e)] != kNone; ++e) {
+        if (chunk.indices[at(e)] > most) return;
+        visit(chunk.indices[at(e)], chunk.values[at(e)]);
       }
+    }
   }
 
  private:
-  static constexpr int kTermsOfChunk = 3;
+  static constexpr int kTermsOfChunk = 3, kNone = -1;
 
   struct Chunk {
-    std::array<SparseTerm, kTermsOfChunk> terms;
-    int count = 0;
+    std::array<int, kTermsOfChunk> indices = {kNone, kNone, kNone};
     int next = -1;
+    std::array<double, kTermsOfChunk> values;
   };
 
+  static int count_of(const Chunk& chunk) {
+    return static_cast<int>(std::find(chunk.indices.begin(), chunk.indices.end(), kNone) - chunk.indices.begin());
+  }
+
   std::vector<int> first_, last_;  // chunk of each list, -1 where it is empty
-  std::vector<Chunk> chunks_;
+  std::deque<Chunk> chunks_;       // a vector would hold three times as much when it grows
 };
 
 // Some rows of the coupling, half-solved down to `least` of their own diagonal.
@@ -147,7 +156,7 @@ std::vector<SparseVector> half_solved(const MixedIntegerProblem& problem, const 
 void subtract_products(const SparseVector& half, const TermLists& by_real, int i, Accumulator& row) {
   row.add(i, 0);
   for (const SparseTerm& mine : half)
-    by_real.for_each_up_to(i, mine.index, [&](const SparseTerm& other) { row.add(other.index, -mine.value * other.value); });
+    by_real.for_each_up_to(i, mine.index, [&](int index, double value) { row.add(index, -mine.value * value); });
 }
 
 // The lower triangle of  S = integral - coupling real^(-1) coupling', by rows; the second part by products of half-solved rows.

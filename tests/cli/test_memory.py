@@ -1,4 +1,4 @@
-"""How much memory the program takes at its peak: so much a pixel and a vertex of the mesh, and no more."""
+"""How much memory the program takes at its peak, on two threads: so much a pixel and a vertex of the mesh, and no more."""
 import json
 import os
 import subprocess
@@ -14,7 +14,7 @@ BYTES_A_VERTEX, BYTES_A_PIXEL, BYTES_AT_LEAST = 1500, 16, 20e6
 class Memory(CommandTest):
     def check(self, rows, *options):
         self.put('drawing.png', png(rows))
-        process = subprocess.Popen([PROGRAM, 'drawing.png', '--quiet', '--report', 'report.json', *options], cwd=self.directory)
+        process = subprocess.Popen([PROGRAM, 'drawing.png', '--quiet', '--threads', '2', '--report', 'report.json', *options], cwd=self.directory)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         self.assertEqual(process.returncode, 0)
