@@ -247,6 +247,24 @@ TEST(Corners, WhatFacesTheEndOfAnotherChainIsNoTip) {
   EXPECT_EQ(open_corners(ridges, {kTip}, plain(all_ink()), {25, 3.6}).size(), 4u);
 }
 
+// A tip that an end of the ink settles beyond a slit of the slimmed ink is none: there is no junction that a fork could end in.
+TEST(Corners, CornersMakeNoJunctions) {
+  const auto with_slits = [](std::initializer_list<int> columns) {
+    Raster<std::uint8_t> ink = all_ink();
+    for (const int x : columns)
+      for (int y = 0; y < 200; ++y) ink(x, y) = 0;
+    return ink;
+  };
+  const Raster<std::uint8_t> slim = with_slits({103, 104, 105, 113}), drawn = with_slits({113});
+  auto ridges = open_arms(30);
+  ridges.push_back(ridge_along({kTip + Vec2{80, 0}, kTip + Vec2{9, 0}}, -1, -1, 0, 0));
+  ridges.back().chain.confirmed = 71;
+  for (const auto& ridge : open_corners(ridges, {}, {slim, drawn}, {40, 3.6, 16, kWidth})) {
+    EXPECT_EQ(ridge.chain.start_junction, -1);
+    EXPECT_EQ(ridge.chain.end_junction, -1);
+  }
+}
+
 // Round ends that touch are narrower there than slimming leaves.
 TEST(Corners, EndsThatTouchAtAWideAngleStayApart) {
   const Raster<std::uint8_t> drawn = fork_ink(130, 0);

@@ -194,6 +194,7 @@ class Corners {
   struct SharedTip {
     Vec2 point;
     Arrival a, b;
+    bool at_end_of_ink;
   };
 
   std::optional<SharedTip> shared_tip(const Arm& a, const Arm& b, bool at_end_of_ink) {
@@ -202,12 +203,17 @@ class Corners {
     const bool share_blot = dot(a.line.direction, b.line.direction) > kArms;  // which slimming hollows out
     const auto& ink = share_blot ? ink_.drawn : ink_.slim;
     if (const auto tip = corner_of(a.line, b.line, width, ink, options_, options_.longest)) {
-      const bool fits =
-          at_end_of_ink ? ends_behind(*tip, a.line, b.line, width, ink_.slim, options_) : share_blot && !passed_by(*tip, width);
-      const SharedTip shared{settled_tip(*tip, a.line, b.line, width, ink_, options_), a.line, b.line};
+      const SharedTip shared = settled(*tip, a.line, b.line, width);
+      const bool fits = at_end_of_ink ? shared.at_end_of_ink && ends_behind(*tip, a.line, b.line, width, ink_.slim, options_)
+                                      : share_blot && !passed_by(*tip, width);
       if (fits && are_apart(shared, width)) return shared;
     }
-    return acute_tip(a, b, width);
+    return acute_tip(a, b, width, at_end_of_ink);
+  }
+
+  SharedTip settled(Vec2 tip, const Arrival& a, const Arrival& b, double width) const {
+    const Vec2 point = settled_tip(tip, a, b, width, ink_, options_);
+    return {point, a, b, ends_behind(point, a, b, width, ink_.slim, options_)};
   }
 
   // What the ink confirms nearer to the tip of an acute corner than its sides are apart is no side of it.
@@ -218,14 +224,14 @@ class Corners {
   }
 
   // The same where a chain may lead into the blot, which hides more than its arms do.
-  std::optional<SharedTip> acute_tip(const Arm& a, const Arm& b, double width) {
+  std::optional<SharedTip> acute_tip(const Arm& a, const Arm& b, double width, bool at_end_of_ink) {
     for (const auto& [one, other] :
          {std::pair{a.behind_stem, b.line}, std::pair{a.line, b.behind_stem}, std::pair{a.behind_stem, b.behind_stem}}) {
       if (!one.known || !other.known || !is_acute(one, other)) continue;
       const auto tip = corner_of(one, other, width, ink_.drawn, options_, options_.longest + options_.hidden);
       if (!tip || !ends_behind(*tip, one, other, width, ink_.slim, options_)) continue;
-      const SharedTip shared{settled_tip(*tip, one, other, width, ink_, options_), one, other};
-      if (are_apart(shared, width)) return shared;
+      const SharedTip shared = settled(*tip, one, other, width);
+      if ((shared.at_end_of_ink || !at_end_of_ink) && are_apart(shared, width)) return shared;
     }
     return std::nullopt;
   }
@@ -266,7 +272,7 @@ class Corners {
     const auto shared = shared_tip(arm_at(a), arm_at(b), at_end_of_ink);
     if (!shared) return;
     const double width = width_of(a, b);
-    const bool corner = ends_behind(shared->point, shared->a, shared->b, width, ink_.slim, options_);
+    const bool corner = shared->at_end_of_ink;
     const int fork = corner ? -1 : junction_at_tip(shared->point, width);
     const Vec2 tip = fork < 0 ? shared->point : junctions_[at(fork)];
     lead_to(a, shared->a, tip);
