@@ -40,8 +40,8 @@ Chains located_star(Vec2 centre, const std::vector<double>& degrees) {
       std::swap(chains.back().start_junction, chains.back().end_junction);
     }
   }
-  return locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, ink_of(image).mask,
-                          {1.5 * kWidth, 1.5 * kWidth});
+  const Ink ink = ink_of(image);
+  return locate_junctions(follow_ridges(chains, ink, kRidge), {guess}, {ink.mask, ink.mask}, {1.5 * kWidth, 1.5 * kWidth});
 }
 
 void expect_located(const std::vector<double>& degrees, double tolerance) {
@@ -70,7 +70,8 @@ TEST(Junctions, NoneMovesFartherThanAllowed) {
     paint(image, {centre, centre + 70.0 * towards(angle)}, kWidth);
     chains.push_back(chain_along({guess, centre + 70.0 * towards(angle)}, kWidth, 0, -1));
   }
-  const Chains held = locate_junctions(follow_ridges(chains, ink_of(image), kRidge), {guess}, ink_of(image).mask, {0.5, 0.5});
+  const Ink ink = ink_of(image);
+  const Chains held = locate_junctions(follow_ridges(chains, ink, kRidge), {guess}, {ink.mask, ink.mask}, {0.5, 0.5});
   EXPECT_LE(norm(held.junctions[0] - guess), 0.5 + 1e-9);
   expect_consistent(held);
 }

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kWidth = 6;
 constexpr int kBlot = 10;  // points that no ink confirms, from the junction
-const Raster<std::uint8_t> kPaper(200, 200, 0), kInk(200, 200, 1);
+const Raster<std::uint8_t> kNoInk(200, 200, 0), kAllInk(200, 200, 1);
+const CornerInk kPaper{kNoInk, kNoInk}, kInk{kAllInk, kAllInk};
 
 // From the junction, number 0, at `start`; confirmed on a line from `centre` on, `wave` px beside it before that.
 RidgeChain arm(Vec2 start, Vec2 centre, Vec2 direction, double wave = 0) {
@@ -49,7 +50,7 @@ TEST(LocatedJunctions, ArmsOfWhichNothingIsKnownSayNothing) {
 
 TEST(LocatedJunctions, MoveFurtherOverInkThanOverPaper) {
   const Vec2 old{110, 100};
-  const auto located = [&](const Raster<std::uint8_t>& ink, JunctionOptions options) {
+  const auto located = [&](const CornerInk& ink, JunctionOptions options) {
     return locate_junctions({arm(old, kCentre, kNorth), arm(old, kCentre, kWest), arm(old, kCentre, kSouth)}, {old}, ink, options)
         .junctions[0];
   };
@@ -57,6 +58,19 @@ TEST(LocatedJunctions, MoveFurtherOverInkThanOverPaper) {
   EXPECT_LT(norm(located(kPaper, {4, 20}) - Vec2{106, 100}), 0.01);
   EXPECT_LT(norm(located(kInk, {4, 8}) - Vec2{106, 100}), 0.01) << "over more ink than strokes share";
   EXPECT_LT(norm(located(kPaper, {12, 12}) - kCentre), 0.05) << "near enough";
+}
+
+// Lines of bent sides meet far beyond the ink of a sharp bend.
+TEST(LocatedJunctions, OnInkDoNotLeaveIt) {
+  const auto located = [](int first_paper) {
+    Raster<std::uint8_t> ink = kAllInk;
+    for (int y = 0; y < ink.height; ++y)
+      for (int x = 0; x < first_paper; ++x) ink(x, y) = 0;
+    const Vec2 old{110, 100};
+    return locate_junctions({arm(old, kCentre, kNorth), arm(old, kCentre, kSouth)}, {old}, {ink, ink}, {12, 5}).junctions[0];
+  };
+  EXPECT_LT(norm(located(103) - kCentre), 0.05) << "but by a third of how far they may move";
+  EXPECT_EQ(located(105), (Vec2{110, 100}));
 }
 
 // How far the points in the blot are from the straight way between the last point that is confirmed and the junction.

@@ -153,6 +153,47 @@ INSTANTIATE_TEST_SUITE_P(Points, EachPoint,
 INSTANTIATE_TEST_SUITE_P(FinestPoints, EachPoint, ::testing::Combine(::testing::Values(4.0, 8.0), ::testing::Values(10)));
 INSTANTIATE_TEST_SUITE_P(BentPoints, EachBentPoint, ::testing::Combine(::testing::Values(5.0), ::testing::Values(15, 25)));
 
+// Waves and zigzags in which the pen turns back beside its own way.
+class EachTurn : public ::testing::TestWithParam<std::tuple<double, int>> {
+ protected:
+  static bool is_one_curve(Line line, double turn, double pen) {
+    Vec2 middle;
+    for (const Vec2 p : line) middle += (1.0 / static_cast<double>(line.size())) * p;
+    for (Vec2& p : line) p = rotated(p - middle, turn);
+    const Ringed ringed({line}, pen);
+    return ringed.drawing.curves.size() == 2 && free_ends(ringed.drawing) == 2 && ringed.is_right(pen);
+  }
+
+ private:
+  static Vec2 rotated(Vec2 p, double degrees) {
+    const Vec2 along = polar(1, degrees * kDegree);
+    return p.x * along + p.y * quarter_turn(along);
+  }
+};
+
+using EachWave = EachTurn;
+
+// Periods in pens; the waves are ten pens high.
+TEST_P(EachWave, IsOneCurve) {
+  const auto [pen, period] = GetParam();
+  Line wave;
+  for (int k = 0; k <= 200; ++k) wave.push_back(pen * Vec2{0.02 * k * period, 5 * std::sin(0.04 * k * pi)});
+  EXPECT_GE(directions([&, pen = pen](double turn) { return is_one_curve(wave, turn, pen); }), 6);
+}
+
+using EachZigzag = EachTurn;
+
+TEST_P(EachZigzag, IsOneCurve) {
+  const auto [pen, degrees] = GetParam();
+  Line zigzag;
+  for (int k = 0; k <= 6; ++k) zigzag.push_back(pen * Vec2{12 * k * std::tan(0.5 * degrees * kDegree), k % 2 == 0 ? 0.0 : 12.0});
+  EXPECT_GE(directions([&, pen = pen](double turn) { return is_one_curve(zigzag, turn, pen); }), 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Waves, EachWave, ::testing::Combine(::testing::Values(6.0, 10.0), ::testing::Values(5, 6, 8)));
+INSTANTIATE_TEST_SUITE_P(DenseWaves, EachWave, ::testing::Combine(::testing::Values(10.0), ::testing::Values(3, 4)));
+INSTANTIATE_TEST_SUITE_P(Zigzags, EachZigzag, ::testing::Combine(::testing::Values(6.0, 10.0), ::testing::Values(20, 30, 45)));
+
 class EachThinCrossing : public ::testing::TestWithParam<std::tuple<double, int>> {};
 
 // Over as many pens as a corner's, and paper that is too narrow to show.

@@ -2,30 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "base/at.h"
 #include "base/polyline.h"
 #include "base/union_find.h"
 #include "refine/arrival.h"
+#include "refine/confirmed.h"
+#include "refine/turns.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kIsolated = 0.5;   // strokes: confirmed parts shorter than this between others that are not are none
-constexpr double kStubby = 1.2;     // widths: what is shorter is no stroke of its own
-constexpr double kTip = 0.25;       // widths at a free end that are not believed
-constexpr double kMiss = 0.25;      // strokes by which a line may miss the point where the others meet
-constexpr double kSlant = 0.08;     // the same for each px of the way there
-constexpr double kPassed = 0.5;     // strokes by which an arm may have passed it
-constexpr double kWider = 0.15;     // half of what ink may be wider than a pen without a doubt, pens
-constexpr double kBeside = 1;       // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
-constexpr double kPaper = 1;        // px of paper that rough rims may leave on the way
-constexpr double kInLine = 0.98;    // cosine of the angle between the two arms of a stroke that goes on beyond a waist
-constexpr double kOffLine = 0.3;    // strokes by which one of them may miss the other
-constexpr double kBend = 0.015;     // the same for each px between them
-constexpr int kFarthest = 3;        // pens from a blot where its arms are looked at
-constexpr double kParallel = 0.01;  // determinant of the squared normals, an arm: less are all but parallel
+constexpr double kIsolated = 0.5;     // strokes: confirmed parts shorter than this between others that are not are none
+constexpr double kMiss = 0.25;        // strokes by which a line may miss the point where the others meet
+constexpr double kSlant = 0.08;       // the same for each px of the way there
+constexpr double kPassed = 0.5;       // strokes by which an arm may have passed it
+constexpr double kWider = 0.15;       // half of what ink may be wider than a pen without a doubt, pens
+constexpr double kBeside = 1;         // pens, or widths of the broadest arm, between a chain in a blot and what replaces it
+constexpr double kPaper = 1;          // px of paper that rough rims may leave on the way
+constexpr double kInLine = 0.98;      // cosine of the angle between the two arms of a stroke that goes on beyond a waist
+constexpr double kOffLine = 0.3;      // strokes by which one of them may miss the other
+constexpr double kBend = 0.015;       // the same for each px between them
+constexpr int kFarthest = 3;          // pens from a blot where its arms are looked at
+constexpr double kParallel = 0.01;    // determinant of the squared normals, an arm: less are all but parallel
+constexpr double kBlunt = 0.57;       // cosine of 55 degrees: a chain around a wider corner needs no turn
+constexpr double kBesideTurn = 0.75;  // pens between a chain in a blot and the turn that replaces it
 
 // Points [from, to) of a chain that the ink does not confirm; of none, -1, where it was united with the one before.
 struct Run {
@@ -40,48 +43,36 @@ struct Arm {
   Arrival arrival;
 };
 
-std::vector<std::uint8_t> confirmed_points(const RidgeChain& ridge, double isolated) {
-  const auto& points = ridge.chain.points;
-  const auto lengths = lengths_along(points);
-  std::vector<std::uint8_t> confirmed(points.size(), 0);
-  if (lengths.back() < kStubby * ridge.chain.width && !ridge.chain.closed) return confirmed;
-  const double shortest = std::min(isolated, 0.9 * lengths.back());
-  for (std::size_t k = 0; k < points.size();) {
-    std::size_t end = k;
-    while (end < points.size() && ridge.sections[end].weight == 1) ++end;
-    if (end > k && lengths[end - 1] - lengths[k] >= shortest)
-      std::fill(confirmed.begin() + static_cast<std::ptrdiff_t>(k), confirmed.begin() + static_cast<std::ptrdiff_t>(end),
-                std::uint8_t{1});
-    k = std::max(end, k + 1);
-  }
-  // A free end is where its stroke may run into a blot.
-  if (ridge.chain.closed) return confirmed;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if ((ridge.chain.start_junction < 0 && lengths[k] <= kTip * ridge.chain.width) ||
-        (ridge.chain.end_junction < 0 && lengths.back() - lengths[k] <= kTip * ridge.chain.width))
-      confirmed[k] = 0;
-  return confirmed;
-}
+using Confirm = std::function<std::vector<std::uint8_t>(const RidgeChain&)>;
 
 class Blotter {
  public:
   // Blots of the junctions from number `settled` on stay.
-  Blotter(Blots blots, std::size_t settled, double isolated, const InkBand& band, const Raster<std::uint8_t>& drawn,
+  Blotter(Blots blots, std::size_t settled, const Confirm& confirm, const InkBand& band, const Raster<std::uint8_t>& drawn,
           const BlotOptions& options)
       : ridges_(std::move(blots.ridges)),
         junctions_(std::move(blots.junctions)),
         settled_(settled),
-        isolated_(isolated),
         band_(band),
         drawn_(drawn),
         options_(options) {
-    find_runs();
+    find_runs(confirm);
     unite_runs();
     find_arms();
-    unite_over_waists();
+  }
+
+  Blots turn() {
+    std::vector<int> target(blots_.size(), -1);
+    for (std::size_t b = 0; b < blots_.size(); ++b)
+      if (const auto tip = turn_in(blots_[b])) {
+        target[b] = static_cast<int>(junctions_.size());
+        junctions_.push_back(*tip);
+      }
+    return ended_in(target);
   }
 
   Blots meet() {
+    unite_over_waists();
     std::vector<int> target(blots_.size(), -1);
     for (std::size_t b = 0; b < blots_.size(); ++b)
       if (const auto point = blots_[b].size() >= 3 && !stays_[b] ? meeting_point(blots_[b]) : std::nullopt) {
@@ -91,20 +82,24 @@ class Blotter {
     const std::vector<int> settled = settled_by_x();
     for (std::size_t b = 0; b < blots_.size(); ++b)
       if (target[b] < 0 && !stays_[b]) target[b] = junction_beside(blots_[b], settled);
+    return ended_in(target);
+  }
+
+ private:
+  Blots ended_in(const std::vector<int>& target) {
     std::vector<RidgeChain> result;
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) split(c, target, result);
     return {std::move(result), std::move(junctions_)};
   }
 
- private:
   const RidgeChain& ridge(int c) const { return ridges_[at(c)]; }
   Run& run(int r) { return runs_[at(r)]; }
   const Run& run(int r) const { return runs_[at(r)]; }
   int size(int c) const { return static_cast<int>(ridge(c).chain.points.size()); }
 
-  void find_runs() {
+  void find_runs(const Confirm& confirm) {
     for (int c = 0; c < static_cast<int>(ridges_.size()); ++c) {
-      const auto confirmed = confirmed_points(ridge(c), isolated_);
+      const auto confirmed = confirm(ridge(c));
       first_run_.push_back(static_cast<int>(runs_.size()));
       run_of_.emplace_back(confirmed.size(), -1);
       for (int k = 0; k < size(c);) {
@@ -270,16 +265,29 @@ class Blotter {
     const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
     const bool all =
         std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) { return leads_to(arm, found, passing(arms, arm)); });
-    return all && stands_for_blot(arms, found) ? std::optional(found) : std::nullopt;
+    return all && stands_for_blot(arms, found, beside(arms)) ? std::optional(found) : std::nullopt;
+  }
+
+  std::optional<Vec2> turn_in(const std::vector<Arm>& arms) const {
+    if (arms.size() != 2) return std::nullopt;
+    const Arrival &a = arms[0].arrival, &b = arms[1].arrival;
+    const bool passed = runs_in_[at(run(arms[0].run).blot)].size() == 1;
+    if (passed && dot(a.direction, b.direction) < kBlunt) return std::nullopt;
+    const auto tip = turn_of(a, b, drawn_, options_.pen, options_.longest);
+    return tip && stands_for_blot(arms, *tip, kBesideTurn * options_.pen) ? tip : std::nullopt;
+  }
+
+  double beside(const std::vector<Arm>& arms) const {
+    double widest = options_.pen;
+    for (const Arm& arm : arms) widest = std::max(widest, width_of(arm));
+    return kBeside * widest;
   }
 
   // Whether no chain of the blot is far from the ways that replace it.
-  bool stands_for_blot(const std::vector<Arm>& arms, Vec2 meeting) const {
-    double beside = options_.pen;
-    for (const Arm& arm : arms) beside = std::max(beside, width_of(arm));
+  bool stands_for_blot(const std::vector<Arm>& arms, Vec2 meeting, double farthest) const {
     const auto is_near = [&](Vec2 p) {
       return std::any_of(arms.begin(), arms.end(),
-                         [&](const Arm& arm) { return distance_to_segment(p, arm.arrival.point, meeting) < kBeside * beside; });
+                         [&](const Arm& arm) { return distance_to_segment(p, arm.arrival.point, meeting) < farthest; });
     };
     const int blot = run(arms.front().run).blot;
     return std::all_of(runs_in_[at(blot)].begin(), runs_in_[at(blot)].end(), [&](int r) {
@@ -316,7 +324,7 @@ class Blotter {
     const bool all = std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
       return arm.arrival.known && norm(arm.arrival.point - place) < reach_beside(arm) && leads_to(arm, place, 0);
     });
-    return all && stands_for_blot(arms, place);
+    return all && stands_for_blot(arms, place, beside(arms));
   }
 
   // How far an arm may seem to go on past the others, px: the sharper two of them meet, the later their ink is wider than a
@@ -406,7 +414,6 @@ class Blotter {
   std::vector<RidgeChain> ridges_;
   std::vector<Vec2> junctions_;
   std::size_t settled_;
-  double isolated_;
   const InkBand& band_;
   const Raster<std::uint8_t>& drawn_;
   BlotOptions options_;
@@ -418,18 +425,31 @@ class Blotter {
   std::vector<std::uint8_t> stays_;        // per blot
 };
 
+const InkBand& band_of_blots(const InkBands& bands, const BlotOptions& options) {
+  return bands.of(options.bridge + std::max(0.0, 0.5 * (options.pen - bands.ink().stroke_width)));
+}
+
 }  // namespace
 
 Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
                     const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
   const std::size_t old = junctions.size();
   Blots blots{std::move(ridges), std::move(junctions)};
-  const double width = bands.ink().stroke_width, rim = std::max(0.0, 0.5 * (options.pen - width));
-  const InkBand& band = bands.of(options.bridge + rim);
+  const double width = bands.ink().stroke_width;
+  const InkBand& band = band_of_blots(bands, options);
   // Short parts that seem confirmed may be strokes, or lie inside a blot: the first is tried first.
-  for (const double isolated : {kIsolated * width, std::max(kIsolated * width, options.pen)})
-    blots = Blotter(std::move(blots), old, isolated, band, drawn, options).meet();
+  for (const double isolated : {kIsolated * width, std::max(kIsolated * width, options.pen)}) {
+    const auto confirm = [&](const RidgeChain& ridge) { return confirmed_points(ridge, isolated); };
+    blots = Blotter(std::move(blots), old, confirm, band, drawn, options).meet();
+  }
   return blots;
+}
+
+Blots turn_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
+                    const Raster<std::uint8_t>& drawn, const BlotOptions& options) {
+  const std::size_t old = junctions.size();
+  const auto confirm = [&](const RidgeChain& ridge) { return slender_points(ridge, drawn, options.pen); };
+  return Blotter({std::move(ridges), std::move(junctions)}, old, confirm, band_of_blots(bands, options), drawn, options).turn();
 }
 
 }  // namespace inkgrid

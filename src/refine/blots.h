@@ -26,4 +26,9 @@ struct Blots {
 Blots meet_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
                     const Raster<std::uint8_t>& drawn, const BlotOptions& options);
 
+// Where a pen turned back that left no paper between its two ways, both end at the turn, in a new junction, whatever chains there
+// are inside.
+Blots turn_in_blots(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const InkBands& bands,
+                    const Raster<std::uint8_t>& drawn, const BlotOptions& options);
+
 }  // namespace inkgrid

@@ -20,6 +20,7 @@ constexpr double kApart = 0.5;     // strokes between the sides of a corner wher
 constexpr double kFacing = 1.5;    // strokes between ends that may go on into each other
 constexpr double kInside = 0.4;    // strokes that the ink goes on behind a corner that is all but straight
 constexpr double kIsolated = 0.5;  // strokes: confirmed parts shorter than this between others that are not are none
+constexpr double kPassed = 0.4;    // pens
 constexpr double kPaper = 1;       // px that rough rims may leave on the way to a tip
 
 struct End {
@@ -408,12 +409,20 @@ class Corners {
     return nearest(ink_.slim, tip + kInside * width * half_sine(a, b) * unit(a.direction + b.direction), std::uint8_t{0}) != 0;
   }
 
+  // Whether the chain goes further than to the tip, as to the end of a turn whose sides are bent.
+  bool is_passed(Vec2 tip, const RidgeChain& ridge, int from, int to, Vec2 outward) const {
+    const auto& points = ridge.chain.points;
+    return options_.pen > 0 && std::any_of(points.begin() + from, points.begin() + to,
+                                           [&](Vec2 p) { return dot(p - tip, outward) > kPassed * options_.pen; });
+  }
+
   // The number of the last point that was looked at.
   int sharpen_between(RidgeChain& ridge, int from, int to) const {
     const Arrival a = arrival_from(ridge, from - 1, false), b = arrival_from(ridge, to, true);
     const auto tip = corner_of(a, b, ridge.chain.width, ink_.slim, options_, options_.longest);
     if (!tip || !inside_ink(*tip, a, b, ridge.chain.width)) return to;
     const Vec2 turn = settled_tip(*tip, a, b, ridge.chain.width, ink_, options_);
+    if (is_passed(turn, ridge, from, to, unit(a.direction + b.direction))) return to;
     auto& points = ridge.chain.points;
     const int first = from - a.last, last = to + b.last;
     if (first > 1) points[at(first - 1)] = a.point;

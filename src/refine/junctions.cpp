@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "base/at.h"
+#include "base/sample.h"
 #include "ink/ink.h"
 #include "refine/arrival.h"
 
 namespace inkgrid {
 namespace {
 
-constexpr double kOnLine = 0.3;  // strokes
-constexpr double kStay = 0.005;  // weight of the junction's old place against each branch's line
+constexpr double kOnLine = 0.3;   // strokes
+constexpr double kOffInk = 0.33;  // of how far a junction may move: so far beside the ink it may lie
+constexpr double kStay = 0.005;   // weight of the junction's old place against each branch's line
 
 struct Branch {
   int chain;
@@ -19,8 +21,7 @@ struct Branch {
   Arrival arrival;
 };
 
-Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, const Raster<std::uint8_t>& ink,
-                   const JunctionOptions& options) {
+Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, const CornerInk& ink, const JunctionOptions& options) {
   double a = kStay, b = 0, c = kStay;
   Vec2 right = kStay * old;
   int known = 0;
@@ -38,8 +39,11 @@ Vec2 meeting_point(const std::vector<Branch>& branches, Vec2 old, const Raster<s
   const double determinant = a * c - b * b;
   const Vec2 found{(c * right.x - b * right.y) / determinant, (a * right.y - b * right.x) / determinant};
   const double moved = norm(found - old);
-  if (moved <= options.near || (moved <= options.blot && over_ink(ink, old, found, 1))) return found;
-  return lerp(old, found, options.near / moved);
+  if (moved <= options.blot && over_ink(ink.slim, old, found, 1)) return found;
+  const Vec2 nearer = moved <= options.near ? found : lerp(old, found, options.near / moved);
+  const Vec2 before = old + std::max(0.0, norm(nearer - old) - kOffInk * options.near) * unit(nearer - old);
+  const bool leaves_ink = nearest(ink.drawn, old, std::uint8_t{0}) && !nearest(ink.drawn, before, std::uint8_t{0});
+  return leaves_ink ? old : nearer;
 }
 
 // Shifts the unconfirmed end of the chain, most at its end, so that it ends at `target`.
@@ -60,7 +64,7 @@ void bend_end(Chain& chain, const Branch& branch, Vec2 target) {
 
 }  // namespace
 
-Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const CornerInk& ink,
                         const JunctionOptions& options) {
   std::vector<std::vector<Branch>> branches(junctions.size());
   for (int c = 0; c < static_cast<int>(ridges.size()); ++c) {

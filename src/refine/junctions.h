@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "refine/ridge.h"
+#include "refine/tips.h"
 
 namespace inkgrid {
 
@@ -17,7 +18,7 @@ struct JunctionOptions {
 
 // Moves each junction to the point nearest to the lines along which its branches arrive, and bends the ends of the chains into
 // it.
-Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const Raster<std::uint8_t>& ink,
+Chains locate_junctions(std::vector<RidgeChain> ridges, std::vector<Vec2> junctions, const CornerInk& ink,
                         const JunctionOptions& options);
 
 }  // namespace inkgrid

@@ -114,8 +114,10 @@ class Refinement {
 
   // Arms go to where they meet, and free ends to what they lead to.
   Chains joined(Chains chains) const {
-    Blots blots = meet_in_blots(follow_ridges(chains.chains, bands_, ridge_), chains.junctions, bands_, drawn_,
-                                {longest_blot() + hidden(), options_.pen, bridge_});
+    const BlotOptions lengths{longest_blot() + hidden(), options_.pen, bridge_};
+    Blots blots{follow_ridges(chains.chains, bands_, ridge_), chains.junctions};
+    if (is_fine()) blots = turn_in_blots(std::move(blots.ridges), std::move(blots.junctions), bands_, drawn_, lengths);
+    blots = meet_in_blots(std::move(blots.ridges), std::move(blots.junctions), bands_, drawn_, lengths);
     ArmsJoined arms = join_arms(std::move(blots.ridges), std::move(blots.junctions), corner_ink(), corners(blot_.free_arms));
     chains = straightened_ends(arms.ridges, std::move(arms.junctions), blot_.trimmed);
     if (is_slimmed()) {
@@ -136,7 +138,7 @@ class Refinement {
     middle.corners = is_fine();
     auto ridges =
         open_corners(follow_ridges(chains.chains, bands_, middle), chains.junctions, corner_ink(), corners(longest_blot()));
-    chains = locate_junctions(std::move(ridges), chains.junctions, ink_.mask, {kShortBlot * options_.pen, blot_.arms});
+    chains = locate_junctions(std::move(ridges), chains.junctions, corner_ink(), {kShortBlot * options_.pen, blot_.arms});
     chains = join_facing_ends(reach_ends(std::move(chains), ink_, ends_), ink_, ends_);
     if (is_slimmed()) chains = drop_knots(std::move(chains), options_.pen - width_);
     chains = drop_needles(std::move(chains), kSeenOfPen * options_.pen, 2 * longest_blot());

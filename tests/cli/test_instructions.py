@@ -26,6 +26,7 @@ CLEAN = {
     'follow_ridges': 81,
     'drop_uncovered': 4.4,
     'drop_spurs': 6.3,
+    'turn_in_blots': 10.4,
     'meet_in_blots': 12.5,
     'follow_strokes': 3.3,
     'attach_ends': 3.7,
