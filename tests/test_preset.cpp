@@ -136,6 +136,24 @@ TEST(Preset, AnOutlineAndItsDetailsAreClean) {
   EXPECT_EQ(chosen_for(image), Preset::clean);
 }
 
+// Blades whose two sides meet in a tip, side by side: slits and seams, but nothing is drawn over.
+TEST(Preset, HairAndGrassAreClean) {
+  Image image = blank(400, 200);
+  for (int k = 0; k < 24; ++k) {
+    const Vec2 root{20 + 15.0 * k, 180}, tip = root + Vec2{30 * std::sin(2.3 * k), -90 - 25 * std::cos(1.7 * k)};
+    for (const double aside : {-3.0, 3.0}) {
+      std::vector<Vec2> side;
+      for (double t = 0; t <= 1.001; t += 0.05)
+        side.push_back(lerp(root + Vec2{aside, 0}, tip, t) + 6 * std::sin(std::numbers::pi * t) * Vec2{std::sin(1.0 * k), 0});
+      paint(image, side, 3);
+    }
+  }
+  const Sketchiness s = sketchiness_of(image);
+  EXPECT_GT(s.centre_spread, 0.08) << "what the test is about";
+  EXPECT_LT(s.plain_spread, 0.016);
+  EXPECT_EQ(chosen_for(image), Preset::clean);
+}
+
 // Whole pixels measure strokes of 2.5 px here as 2 wide, there as 4.
 TEST(Preset, FineStrokesCloseBesideEachOtherAreClean) {
   Image image = blank(300, 120);

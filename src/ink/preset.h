@@ -15,8 +15,10 @@ struct Sketchiness {
   double opacity_spread = 0;  // standard deviation of the darkness there: overdrawn strokes differ
   double centre_spread = 0;   // the same on the centre lines there, where no blurred rim reaches
   double pale = 0;            // share of those that is less than fully dark
-  double slits = 0;           // paper between strokes closer than 0.75 pens, over the ink
-  double uneven_width = 0;    // 90th less 10th percentile of the width along the centre lines, strokes; 0 for a step of pixels
+  double plain_spread = 0;  // standard deviation of the darkness there but for seams, which are paler than the ink on both sides
+  double one_pen = 0;       // share of the centre lines whose width is about the commonest one
+  double slits = 0;         // paper between strokes closer than 0.75 pens, over the ink
+  double uneven_width = 0;  // 90th less 10th percentile of the width along the centre lines, strokes; 0 for a step of pixels
 };
 
 // `pen_width`: of most of the strokes, px; the average one is that of blots, too.
