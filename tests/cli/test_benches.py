@@ -28,6 +28,15 @@ class BenchTest(CommandTest):
         return done
 
 
+class HelpOfBenches(CommandTest):
+    def test_of_scripts_that_build_what_they_need(self):
+        for name in 'rerun', 'rounding':
+            with self.subTest(name=name):
+                done = subprocess.run([os.path.join(BENCH, name), '--help'], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ''))
+                self.assertTrue(done.stdout.startswith(f'bench/{name} '), done.stdout)
+
+
 class Ablation(BenchTest):
     def setUp(self):
         super().setUp()
