@@ -207,7 +207,7 @@ class Corners {
       const SharedTip shared = settled(*tip, a.line, b.line, width);
       const bool fits = at_end_of_ink ? shared.at_end_of_ink && ends_behind(*tip, a.line, b.line, width, ink_.slim, options_)
                                       : share_blot && !passed_by(*tip, width);
-      if (fits && are_apart(shared, width)) return shared;
+      if (fits && are_apart(shared, width) && leave_each_other(a, b, shared)) return shared;
     }
     return acute_tip(a, b, width, at_end_of_ink);
   }
@@ -224,6 +224,11 @@ class Corners {
     return 2 * nearest * half_sine(shared.a, shared.b) > kApart * width;
   }
 
+  // Whether there is something left of a chain between its two arms.
+  bool leave_each_other(const Arm& a, const Arm& b, const SharedTip& shared) const {
+    return a.end.chain != b.end.chain || shared.a.last + shared.b.last + 1 < static_cast<int>(chain(a.end.chain).points.size());
+  }
+
   // The same where a chain may lead into the blot, which hides more than its arms do.
   std::optional<SharedTip> acute_tip(const Arm& a, const Arm& b, double width, bool at_end_of_ink) {
     for (const auto& [one, other] :
@@ -232,7 +237,8 @@ class Corners {
       const auto tip = corner_of(one, other, width, ink_.drawn, options_, options_.longest + options_.hidden);
       if (!tip || !ends_behind(*tip, one, other, width, ink_.slim, options_)) continue;
       const SharedTip shared = settled(*tip, one, other, width);
-      if ((shared.at_end_of_ink || !at_end_of_ink) && are_apart(shared, width)) return shared;
+      const bool fits = shared.at_end_of_ink || !at_end_of_ink;
+      if (fits && are_apart(shared, width) && leave_each_other(a, b, shared)) return shared;
     }
     return std::nullopt;
   }

@@ -1,5 +1,6 @@
 """Drawings made in memory, and the program run on them."""
 import os
+import random
 import re
 import struct
 import subprocess
@@ -43,6 +44,17 @@ def lattice():
     for k in range(12):
         paint_line(rows, (20, 30 + 70 * k), (1180, 60 + 68 * k), 5)
         paint_line(rows, (40 + 95 * k, 10), (70 + 94 * k, 890), 5)
+    return rows
+
+
+def fur(seed):
+    """70 short strokes that taper, one over the other: 300 x 220 px."""
+    chance, rows = random.Random(seed), blank(300, 220)
+    for _ in range(70):
+        x, y, length = chance.uniform(20, 250), chance.uniform(20, 195), chance.uniform(25, 35)
+        for k in range(61):
+            t = k / 60
+            paint_disc(rows, x + length * t, y - 12 * t * (1 - t) + 12 * t * t, 1.75 - 1.6 * t)
     return rows
 
 

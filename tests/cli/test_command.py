@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import PROGRAM, SVG, CommandTest, blank, cross, lattice, paint_line, pgm, png
+from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, paint_line, pgm, png
 
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
@@ -96,6 +96,16 @@ class Outputs(CommandTest):
         self.succeed('drawing.png', '-o', 'one.svg', '--threads', '1')
         self.succeed('drawing.png', '-o', 'two.svg', '--threads', '2')
         self.assertEqual(self.read('one.svg'), self.read('two.svg'))
+
+
+class Fur(CommandTest):
+    def test_strokes_that_taper_into_each_other_are_drawn(self):
+        # Of these both ends of a chain led to one tip, over more than there was of it.
+        for seed in 19, 34, 86, 118, 120:
+            with self.subTest(seed=seed):
+                self.put('fur.png', png(fur(seed)))
+                self.succeed('fur.png', '-o', 'fur.svg')
+                self.assertIn(b'<path', self.read('fur.svg'))
 
 
 class Svg(CommandTest):
