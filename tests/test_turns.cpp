@@ -31,7 +31,7 @@ Arrival arrival(Vec2 point, Vec2 direction) {
   return {true, point, unit(direction), 0, {}};
 }
 
-// As far before the tip as the two sides are apart by `apart` px.
+// Of a side that is seen up to `ahead` px before the tip.
 Arrival arrival_on(const std::vector<Vec2>& line, double ahead) {
   const Vec2 direction = unit(line[1] - line[0]);
   return arrival(kTip - ahead * direction, direction);
