@@ -38,6 +38,8 @@ constexpr std::array kTable{
     OptionRow{"preset", &Options::preset, Stage::bundles, "", 0, 2, "7",
               "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
     OptionRow{"threshold", &Options::threshold, Stage::ink, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
+    OptionRow{"soften", &Options::soften, Stage::ink, "px", 0, 20, "",
+              "blur of the picture before anything else, so that strokes broken by grain hold together; 0: none"},
     OptionRow{"fills", &Options::fills, Stage::ink, "", 0, 2, "",
               "filled areas: outlines in a layer of their own, left out, or traced like strokes"},
     OptionRow{"bundles", &Options::bundles, Stage::bundles, "", 0, 2, "",

@@ -9,6 +9,7 @@
 #include "fit/fit_outlines.h"
 #include "graph/folds.h"
 #include "ink/enlarge.h"
+#include "ink/grain.h"
 #include "ink/pen_strokes.h"
 #include "ink/preset.h"
 #include "options.h"
@@ -102,12 +103,19 @@ Strokes measure_strokes(const Image& image, const Options& options, int enlargem
   return strokes;
 }
 
-Strokes measure_enlarged(const Image& image, const Options& options, const Control& control) {
+// Of a picture made from the drawing, as one stage.
+Strokes measure_made(const Image& image, const Options& options, int enlargement, const Control& control) {
   Report unread;
   Control quiet;
   quiet.stop = control.stop;
   Stopwatch run(quiet, unread);
-  return measure_strokes(enlarged(image), options, kEnlargement, run);
+  return measure_strokes(image, options, enlargement, run);
+}
+
+// How much the picture is softened, px.  A threshold means just what is darker.
+double softening_of(const Image& image, const Ink& ink, const Options& options) {
+  if (options.soften || options.threshold) return options.soften.value_or(0);
+  return grain_of(image, ink, options.threads);
 }
 
 double pen_width(const Strokes& strokes, const Options& options) {
@@ -115,16 +123,24 @@ double pen_width(const Strokes& strokes, const Options& options) {
                                           : strokes.fills.stroke_width;
 }
 
-Look look_of(const Ink& ink, double pen_width) {
-  return {choose_preset(ink, pen_width), has_fine_pen(pen_width, ink), pen_width > 0 && has_fine_paper(ink)};
+Look look_of(const Ink& ink, double pen_width, double softening) {
+  return {choose_preset(ink, pen_width), has_fine_pen(pen_width, ink), pen_width > 0 && has_fine_paper(ink), softening};
 }
 
 void run_ink(const Image& image, Stages& stages, Stopwatch& run, const Control& control) {
   const Options& options = stages.inputs.options;
   Strokes strokes = measure_strokes(image, options, 1, run);
-  if (strokes.ink.pixels > 0) stages.look = look_of(strokes.ink, pen_width(strokes, options));
+  const double softening = run("grain", 0.065, [&] { return softening_of(image, strokes.ink, options); });
+  Image soft;
+  if (softening > 0)
+    strokes = run("softened ink", 0.067, [&] {
+      soft = softened(image, softening, options.threads);
+      return measure_made(soft, options, 1, control);
+    });
+  const Image& drawn = softening > 0 ? soft : image;
+  if (strokes.ink.pixels > 0) stages.look = look_of(strokes.ink, pen_width(strokes, options), softening);
   if (enlargement_for(stages.look, options) > 1) {
-    Strokes finer = run("enlarged ink", 0.07, [&] { return measure_enlarged(image, options, control); });
+    Strokes finer = run("enlarged ink", 0.07, [&] { return measure_made(enlarged(drawn), options, kEnlargement, control); });
     if (finer.ink.pixels > 0)
       strokes = std::move(finer);
     else  // rims all over the picture are taken for grain
@@ -369,7 +385,7 @@ void run_again(Stages& stages, const Image& image, const Options& options, const
   move_kept(first, stages, made);
   if (Stage::charts < first && first <= Stage::map) made.map.plans = stages.map.plans;
   if (Stage::chains < first) made.parts = stages.parts;  // of use as long as what they are parts of is the same
-  report_ink(made.ink, made.fills, made.report);
+  report_ink(made.ink, made.fills, made.look.softening, made.report);
   try {
     if (!blank) run_from(first, made, before, run, control, keep);
   } catch (...) {

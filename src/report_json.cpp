@@ -63,6 +63,7 @@ std::string report_json(const Options& options, const Report& report) {
                   {"inverted", report.inverted},
                   {"stroke_width", report.stroke_width},
                   {"ink_pixels", report.ink_pixels},
+                  {"softening", report.softening},
                   {"enlargement", report.enlargement},
                   {"fills", report.fills},
                   {"preset", report.preset},

@@ -6,11 +6,12 @@
 
 namespace inkgrid {
 
-void report_ink(const Ink& ink, const Fills& fills, Report& report) {
+void report_ink(const Ink& ink, const Fills& fills, double softening, Report& report) {
   report.threshold = ink.threshold;
   report.inverted = ink.inverted;
   report.stroke_width = ink.stroke_width / ink.enlargement;
   report.ink_pixels = ink.pixels / ink.enlargement / ink.enlargement;
+  report.softening = softening;
   report.enlargement = ink.enlargement;
   report.fills = fills.count;
 }

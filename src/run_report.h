@@ -10,7 +10,7 @@
 
 namespace inkgrid {
 
-void report_ink(const Ink& ink, const Fills& fills, Report& report);
+void report_ink(const Ink& ink, const Fills& fills, double softening, Report& report);
 void report_mesh(const BandMesh& mesh, Report& report);
 void report_field(const FrameField& field, const Charts& charts, Report& report);
 void report_map(const GridMap& map, Report& report);

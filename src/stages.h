@@ -24,10 +24,11 @@ struct Inputs {
   Options settled;                // as used: preset, reach and spacing decided by the ink
 };
 
-// Of a picture as it came, before it is enlarged.
+// Of a picture before it is enlarged.
 struct Look {
   Preset preset = Preset::clean;
   bool fine_pen = false, fine_paper = false;  // ink/enlarge.h
+  double softening = 0;                       // px, ink/grain.h; all else is of the softened picture
 };
 
 struct SolvedPart;  // scribbles/parts.h

@@ -13,8 +13,9 @@ struct Report {
   bool inverted = false;    // light lines on dark paper
   double stroke_width = 0;  // px, the paper's omega-bar
   long ink_pixels = 0;
-  int enlargement = 1;  // how many times the picture of a fine pen was enlarged first; all else is in px of the drawing
-  int fills = 0;        // filled areas, which are not among the strokes
+  double softening = 0;  // px: by how much the picture was softened first, as its strokes were broken by grain
+  int enlargement = 1;   // how many times the picture of a fine pen was enlarged first; all else is in px of the drawing
+  int fills = 0;         // filled areas, which are not among the strokes
   // what `auto` chose
   std::string preset;  // "clean" or "rough"
   double reach = 0;    // stroke widths, the paper's beta

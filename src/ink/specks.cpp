@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/at.h"
-#include "base/union_find.h"
 #include "ink/pen_strokes.h"
+#include "ink/runs.h"
 
 namespace inkgrid {
 namespace {
@@ -16,46 +16,16 @@ constexpr float kDepthOfInk = 3;    // times the width of the speck, without it 
 constexpr float kDepthBetween = 1;  // times that, between them: the cells of a hatching are no specks
 constexpr float kNear = 2;          // times that, on all sides of it
 
-// Pixels x0 .. x1 - 1 of a row, all of them paper.
-struct Run {
-  int y, x0, x1;
-};
-
-std::vector<Run> runs_of_paper(const Raster<std::uint8_t>& ink) {
-  std::vector<Run> runs;
-  for (int y = 0; y < ink.height; ++y) {
-    const std::uint8_t* const row = &ink.data[ink.index(0, y)];
-    for (int x = 0; x < ink.width;) {
-      const int first = static_cast<int>(std::find(row + x, row + ink.width, 0) - row);
-      x = static_cast<int>(std::find_if(row + first, row + ink.width, [](auto pixel) { return pixel != 0; }) - row);
-      if (first < x) runs.push_back({y, first, x});
-    }
-  }
-  return runs;
-}
-
-// Joins the runs of neighbouring rows that touch, corners included.
-UnionFind joined(const std::vector<Run>& runs) {
-  const int count = static_cast<int>(runs.size());
-  UnionFind pieces(count);
-  for (int above = 0, i = 0; i < count; ++i) {
-    const Run& run = runs[at(i)];
-    while (runs[at(above)].y < run.y - 1 || (runs[at(above)].y == run.y - 1 && runs[at(above)].x1 < run.x0)) ++above;
-    for (int k = above; runs[at(k)].y == run.y - 1 && runs[at(k)].x0 <= run.x1; ++k) pieces.unite(k, i);
-  }
-  return pieces;
-}
-
 struct Speck {
   int size = 0;             // px^2
   std::vector<Run> runs{};  // of small ones
 };
 
 std::vector<Speck> specks_in(const Raster<std::uint8_t>& ink) {
-  const std::vector<Run> runs = runs_of_paper(ink);
-  UnionFind pieces = joined(runs);
+  const std::vector<Run> runs = runs_of(ink, 0);
+  UnionFind pieces = pieces_of(runs, true);
   std::vector<Speck> specks(runs.size());
-  for (int i = 0; i < static_cast<int>(runs.size()); ++i) specks[at(pieces.find(i))].size += runs[at(i)].x1 - runs[at(i)].x0;
+  for (int i = 0; i < static_cast<int>(runs.size()); ++i) specks[at(pieces.find(i))].size += runs[at(i)].pixels();
   for (int i = 0; i < static_cast<int>(runs.size()); ++i)
     if (Speck& speck = specks[at(pieces.find(i))]; speck.size <= kLargest) speck.runs.push_back(runs[at(i)]);
   std::erase_if(specks, [](const Speck& speck) { return speck.runs.empty(); });
@@ -68,14 +38,14 @@ float width_of(const Speck& speck) {
 
 void paint(const Speck& speck, std::uint8_t value, Raster<std::uint8_t>& ink) {
   for (const Run& run : speck.runs)
-    std::fill(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.x0, run.y)),
-              ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.x1, run.y)), value);
+    std::fill_n(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.first, run.y)),
+              run.pixels(), value);
 }
 
 float greatest(const Raster<float>& depth, const Speck& speck) {
   float most = 0;
   for (const Run& run : speck.runs)
-    for (int x = run.x0; x < run.x1; ++x) most = std::max(most, depth(x, run.y));
+    for (int x = run.first; x <= run.last; ++x) most = std::max(most, depth(x, run.y));
   return most;
 }
 
@@ -83,10 +53,10 @@ float greatest(const Raster<float>& depth, const Speck& speck) {
 float greatest_near(const Raster<float>& depth, const Speck& speck) {
   const int margin = static_cast<int>(kNear * width_of(speck));
   Run box = speck.runs.front();
-  for (const Run& run : speck.runs) box = {box.y, std::min(box.x0, run.x0), std::max(box.x1, run.x1)};
+  for (const Run& run : speck.runs) box = {box.y, std::min(box.first, run.first), std::max(box.last, run.last)};
   float most = 0;
   for (int y = std::max(0, box.y - margin); y <= std::min(depth.height - 1, speck.runs.back().y + margin); ++y)
-    for (int x = std::max(0, box.x0 - margin); x < std::min(depth.width, box.x1 + margin); ++x)
+    for (int x = std::max(0, box.first - margin); x <= std::min(depth.width - 1, box.last + margin); ++x)
       most = std::max(most, depth(x, y));
   return most;
 }

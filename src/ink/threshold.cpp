@@ -7,8 +7,8 @@
 
 #include "base/at.h"
 #include "base/histogram.h"
-#include "base/union_find.h"
 #include "ink/paper_light.h"
+#include "ink/runs.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -129,33 +129,6 @@ LocalInk half_of_local_ink(const Raster<float>& darkness, double weak) {
   return local;
 }
 
-struct Run {
-  int y, first, last;  // pixels first..last of row y
-};
-
-std::vector<Run> runs_of(const Raster<std::uint8_t>& mask, std::uint8_t value) {
-  std::vector<Run> runs;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x)
-      if (mask(x, y) == value) {
-        const int first = x;
-        while (x + 1 < mask.width && mask(x + 1, y) == value) ++x;
-        runs.push_back({y, first, x});
-      }
-  return runs;
-}
-
-// Runs that touch are one component; corners count when reach is 1, not when it is 0.
-UnionFind join_runs(const std::vector<Run>& runs, int reach) {
-  UnionFind sets(static_cast<int>(runs.size()));
-  for (std::size_t i = 0, above = 0; i < runs.size(); ++i) {
-    while (runs[above].y + 1 < runs[i].y || (runs[above].y < runs[i].y && runs[above].last + reach < runs[i].first)) ++above;
-    for (std::size_t k = above; k < i && runs[k].y < runs[i].y && runs[k].first <= runs[i].last + reach; ++k)
-      sets.unite(static_cast<int>(k), static_cast<int>(i));
-  }
-  return sets;
-}
-
 // A component of the mask, summed over its pixels.
 struct Amount {
   long pixels = 0;
@@ -166,11 +139,11 @@ struct Amount {
 
 // Turns over the components of pixels equal to `value` of which unwanted(amount) is true.
 template <class Unwanted>
-void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, int reach, const Raster<float>& darkness, Unwanted unwanted) {
+void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, bool corners, const Raster<float>& darkness, Unwanted unwanted) {
   const std::vector<Run> runs = runs_of(mask, value);
-  UnionFind sets = join_runs(runs, reach);
+  UnionFind pieces = pieces_of(runs, corners);
   std::vector<Amount> amounts(runs.size());
-  const auto amount_of = [&](std::size_t run) -> Amount& { return amounts[at(sets.find(static_cast<int>(run)))]; };
+  const auto amount_of = [&](std::size_t run) -> Amount& { return amounts[at(pieces.find(static_cast<int>(run)))]; };
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Amount& a = amount_of(i);
     for (int x = runs[i].first; x <= runs[i].last; ++x) {
@@ -189,13 +162,13 @@ void turn_over(Raster<std::uint8_t>& mask, std::uint8_t value, int reach, const 
 
 // Gaps in a soft stroke: small holes through which no paper is seen.
 void fill_pinholes(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels, int pixel) {
-  turn_over(ink, 0, 0, darkness, [&](const Amount& a) { return a.pixels <= kPinhole * pixel && a.lightest > levels.weak; });
+  turn_over(ink, 0, false, darkness, [&](const Amount& a) { return a.pixels <= kPinhole * pixel && a.lightest > levels.weak; });
 }
 
 // Specks: no dark pixel in them, or too little ink altogether.
 void drop_specks(Raster<std::uint8_t>& ink, const Raster<float>& darkness, const Levels& levels, int pixel) {
   const double least = pixel * levels.full * (levels.grain > kAnyGrain ? kSpeckInGrain : kSpeck);
-  turn_over(ink, 1, 1, darkness, [&](const Amount& a) { return a.darkest < kSeedFactor * levels.weak || a.darkness < least; });
+  turn_over(ink, 1, true, darkness, [&](const Amount& a) { return a.darkest < kSeedFactor * levels.weak || a.darkness < least; });
 }
 
 // The two grey levels of a pure black-and-white picture, if it is one with a visible difference.
