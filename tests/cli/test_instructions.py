@@ -13,6 +13,7 @@ from support import PROGRAM, CommandTest, blank, paint_disc, paint_line, png
 CLEAN = {
     'binarise': 26,
     'find_fills': 39,
+    'grain_of': 0.94,
     'measure_ink': 27,
     'slimming_of': 42,
     'slim_ink': 15.4,
