@@ -45,7 +45,7 @@ Json seconds_json(const Report& report) {
 std::string choice_text(const Report& report) {
   return report.preset + " drawing: " + (report.inverted ? "light lines, " : "") + "threshold " + brief(report.threshold) +
          ", stroke width " + brief(report.stroke_width) + " px, reach " + brief(report.reach) + ", spacing " +
-         brief(report.spacing);
+         brief(report.spacing) + (report.softening > 0 ? ", softened by " + brief(report.softening) + " px" : "");
 }
 
 std::string run_description(const Options& options, const Report& report) {

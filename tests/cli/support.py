@@ -30,6 +30,15 @@ def paint_line(rows, a, b, width=6, grey=0):
         paint_disc(rows, a[0] + (b[0] - a[0]) * k / steps, a[1] + (b[1] - a[1]) * k / steps, width / 2, grey)
 
 
+def screened():
+    """Three grey strokes as a printer of two tones has them, by the ordered matrix of 4 x 4."""
+    rows = blank(200, 150)
+    for a, b in (((20, 30), (180, 45)), ((30, 120), (170, 60)), ((60, 15), (90, 135))):
+        paint_line(rows, a, b, 8, 110)
+    matrix = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))
+    return [bytearray(255 if grey > 16 * matrix[y % 4][x % 4] + 8 else 0 for x, grey in enumerate(row)) for y, row in enumerate(rows)]
+
+
 def cross():
     """Two strokes that cross in the middle of 160 x 120 px."""
     rows = blank(160, 120)

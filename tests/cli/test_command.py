@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, paint_line, pgm, png
+from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, paint_line, pgm, png, screened
 
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'soften': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
@@ -140,6 +140,13 @@ class Told(CommandTest):
     def test_auto_says_what_it_chose(self):
         message = self.succeed('drawing.png').stderr.decode().splitlines()[0]
         self.assertRegex(message, r'^inkgrid: (clean|rough) drawing: threshold [\d.]+, stroke width [\d.]+ px, reach [\d.]+, spacing [\d.]+$')
+
+    def test_softening_is_told(self):
+        self.put('screened.png', png(screened()))
+        self.assertRegex(self.succeed('screened.png').stderr.decode().splitlines()[0], r', softened by [\d.]+ px$')
+        self.succeed('screened.png', '--soften', '1.5')
+        self.assertIn(b', softened by 1.5 px)', self.read('screened.svg'))
+        self.assertNotIn('softened', self.succeed('screened.png', '--soften', '0').stderr.decode())
 
     def test_given_preset_says_nothing(self):
         self.assertNotIn(b'spacing', self.succeed('drawing.png', '--preset', 'clean').stderr)
