@@ -30,7 +30,7 @@ constexpr double kCrumb = 2;        // stroke widths squared
 constexpr double kWhole = 6;        // stroke widths squared: what crumbs are part of
 constexpr long kPinhole = 8;        // px
 constexpr double kMostly = 0.6;
-constexpr double kMostOfThem = 0.8;
+constexpr double kMostOfThem = 0.95;
 
 double square(double x) {
   return x * x;
@@ -99,12 +99,17 @@ bool is_uneven(std::vector<long> sizes) {
   return sizes[3 * sizes.size() / 4] >= 3 * sizes[sizes.size() / 4];
 }
 
+long breaks_in(const Raster<std::uint8_t>& mask) {
+  return count_of(pieces_in(mask, 1)) + count_of(pieces_in(mask, 0));
+}
+
 // What softening has mended.
 struct Mended {
   double sigma = 0;    // px
   bool fine = false;   // finer strokes than are softened by so much
-  long places = 0;     // crumbs that are part of a stroke now, pinholes that are ink
-  double a_width = 0;  // of them, a stroke width of length
+  bool solid = false;  // strokes became areas
+  long breaks = 0;     // pieces of ink and paper that are left
+  double a_width = 0;  // of crumbs that are part of a stroke now, and pinholes that are ink, a stroke width of length
 };
 
 class Search {
@@ -128,13 +133,15 @@ class Search {
     Binarisation ink = binarise(softened(image_, sigma, threads_), std::nullopt);
     const double filled = share_in(find_fills(ink));
     const Ink soft = measure_ink(std::move(ink));
-    if (soft.pixels == 0 || soft.stroke_width < kFinestTold * sigma || filled > kFilled) return std::nullopt;
+    if (soft.pixels == 0 || soft.stroke_width < kFinestTold * sigma) return std::nullopt;
     const double widths = static_cast<double>(soft.pixels) / square(soft.stroke_width);
     if (widths < kFewest) return std::nullopt;
     const bool fine = soft.stroke_width < kFinest * sigma;
     const long joined = joined_in(soft, !fine), closed = closed_in(soft);
+    if (filled > kFilled && 2 * joined < count_of(crumbs_)) return std::nullopt;
     const double length = std::max(widths, kCoarsest * length_);
-    return Mended{sigma, fine, joined + closed, static_cast<double>(joined) / length + static_cast<double>(closed) / length_};
+    return Mended{sigma, fine, filled > kFilled, breaks_in(soft.mask),
+                  static_cast<double>(joined) / length + static_cast<double>(closed) / length_};
   }
 
  private:
@@ -209,14 +216,15 @@ double grain_of(const Image& image, const Ink& ink, int threads) {
     tried.push_back(*mended);
   }
   const auto is_broken = [](const Mended& m) { return m.a_width > kBroken; };
-  bool broken = std::any_of(tried.begin(), tried.end(), [&](const Mended& m) { return m.fine && is_broken(m); });
-  std::erase_if(tried, [](const Mended& m) { return m.fine; });
+  bool broken = std::any_of(tried.begin(), tried.end(), [&](const Mended& m) { return m.fine && !m.solid && is_broken(m); });
+  std::erase_if(tried, [](const Mended& m) { return m.fine || m.solid; });
   broken |= !tried.empty() && is_broken(tried.back());  // what is mended stays mended, cells of a net open again
   if (!broken) return 0;
-  long most = 0;
-  for (const Mended& m : tried) most = std::max(most, m.places);
+  const long before = breaks_in(ink.mask);
+  long least = before;
+  for (const Mended& m : tried) least = std::min(least, m.breaks);
   const auto enough = std::find_if(tried.begin(), tried.end(), [&](const Mended& m) {
-    return static_cast<double>(m.places) >= kMostOfThem * static_cast<double>(most);
+    return static_cast<double>(before - m.breaks) >= kMostOfThem * static_cast<double>(before - least);
   });
   return enough == tried.end() ? 0 : enough->sigma;
 }
