@@ -1,12 +1,11 @@
 // Strokes that grain has broken: softened until they hold together, and nothing else is.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "base/blur.h"

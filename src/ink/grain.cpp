@@ -29,8 +29,8 @@ constexpr double kCoarsest = 0.25;  // of the length as it is: what is more than
 constexpr double kCrumb = 2;        // stroke widths squared
 constexpr double kWhole = 6;        // stroke widths squared: what crumbs are part of
 constexpr long kPinhole = 8;        // px
-constexpr double kMostly = 0.6;
-constexpr double kMostOfThem = 0.95;
+constexpr double kMostly = 0.6;     // of the holes that close
+constexpr double kMended = 0.95;    // of the breaks that any softening mends
 
 double square(double x) {
   return x * x;
@@ -99,10 +99,6 @@ bool is_uneven(std::vector<long> sizes) {
   return sizes[3 * sizes.size() / 4] >= 3 * sizes[sizes.size() / 4];
 }
 
-long breaks_in(const Raster<std::uint8_t>& mask) {
-  return count_of(pieces_in(mask, 1)) + count_of(pieces_in(mask, 0));
-}
-
 // What softening has mended.
 struct Mended {
   double sigma = 0;    // px
@@ -128,6 +124,8 @@ class Search {
     return found >= kFewest && static_cast<double>(found) > kWorthALook * length_;
   }
 
+  long breaks() const { return count_of(crumbs_) + count_of(paper_); }
+
   // Nothing where strokes are too fine to tell crumbs by so much.
   std::optional<Mended> with(double sigma) const {
     Binarisation ink = binarise(softened(image_, sigma, threads_), std::nullopt);
@@ -137,10 +135,11 @@ class Search {
     const double widths = static_cast<double>(soft.pixels) / square(soft.stroke_width);
     if (widths < kFewest) return std::nullopt;
     const bool fine = soft.stroke_width < kFinest * sigma;
-    const long joined = joined_in(soft, !fine), closed = closed_in(soft);
+    const Pieces strokes = pieces_in(soft.mask, 1), paper = pieces_in(soft.mask, 0);
+    const long joined = joined_in(soft, strokes, !fine), closed = closed_in(soft, paper);
     if (filled > kFilled && 2 * joined < count_of(crumbs_)) return std::nullopt;
     const double length = std::max(widths, kCoarsest * length_);
-    return Mended{sigma, fine, filled > kFilled, breaks_in(soft.mask),
+    return Mended{sigma, fine, filled > kFilled, count_of(strokes) + count_of(paper),
                   static_cast<double>(joined) / length + static_cast<double>(closed) / length_};
   }
 
@@ -154,8 +153,7 @@ class Search {
   }
 
   // `even`: those of one size count, too, which may be dashes.
-  long joined_in(const Ink& soft, bool even) const {
-    const Pieces strokes = pieces_in(soft.mask, 1);
+  long joined_in(const Ink& soft, const Pieces& strokes, bool even) const {
     const std::vector<int> holder = holders(crumbs_, strokes);
     const double width = square(soft.stroke_width);
     std::vector<std::vector<long>> held(strokes.pixels.size());  // sizes
@@ -170,8 +168,8 @@ class Search {
   }
 
   // None where most holes that close are larger: cells of fine nets.
-  long closed_in(const Ink& soft) const {
-    const long fewer = count_of(paper_) - count_of(pieces_in(soft.mask, 0)), closed = pinholes_closed_in(soft);
+  long closed_in(const Ink& soft, const Pieces& paper) const {
+    const long fewer = count_of(paper_) - count_of(paper), closed = pinholes_closed_in(soft);
     return static_cast<double>(closed) < kMostly * static_cast<double>(fewer) ? 0 : closed;
   }
 
@@ -220,11 +218,11 @@ double grain_of(const Image& image, const Ink& ink, int threads) {
   std::erase_if(tried, [](const Mended& m) { return m.fine || m.solid; });
   broken |= !tried.empty() && is_broken(tried.back());  // what is mended stays mended, cells of a net open again
   if (!broken) return 0;
-  const long before = breaks_in(ink.mask);
+  const long before = search.breaks();
   long least = before;
   for (const Mended& m : tried) least = std::min(least, m.breaks);
   const auto enough = std::find_if(tried.begin(), tried.end(), [&](const Mended& m) {
-    return static_cast<double>(before - m.breaks) >= kMostOfThem * static_cast<double>(before - least);
+    return static_cast<double>(before - m.breaks) >= kMended * static_cast<double>(before - least);
   });
   return enough == tried.end() ? 0 : enough->sigma;
 }
