@@ -34,6 +34,25 @@ void filter_lines(Raster<float>& raster, Filter filter) {
   }
 }
 
+// The same along the diagonals: down to the right, then down to the left.
+template <class Filter>
+void filter_diagonals(Raster<float>& raster, Filter filter) {
+  const int w = raster.width, h = raster.height;
+  std::vector<float> line;
+  for (const int step : {1, -1})
+    for (int start = 1 - h; start < w; ++start) {  // where the diagonal meets row 0, from its own side
+      const int top = std::max(0, -start), length = std::min(h - top, w - std::max(0, start));
+      const auto pixel = [&](int k) -> float& {
+        const int x = start + top + k;
+        return raster(step > 0 ? x : w - 1 - x, top + k);
+      };
+      line.resize(at(length));
+      for (int k = 0; k < length; ++k) line[at(k)] = pixel(k);
+      filter(line);
+      for (int k = 0; k < length; ++k) pixel(k) = line[at(k)];
+    }
+}
+
 // The extreme of each window of 2 radius + 1 values under `before` (std::greater: the largest); the window ends at the line's
 // ends.
 template <class Before>

@@ -68,12 +68,6 @@ struct Axis {
   }
 };
 
-// The light of the bare paper, smooth over the picture.
-struct Paper {
-  int block = 1;        // px
-  Raster<float> level;  // grey level at the centre of each block
-};
-
 // The least light of paper that is near lighter paper: it fades by no more than kFade a block.
 Raster<float> fading(Raster<float> level) {
   filter_lines(level, [](std::vector<float>& line) {
@@ -97,7 +91,7 @@ Raster<float> close_gaps(const Raster<float>& level) {
 // Upper envelope: what remains when all that is dark and narrower than the window is filled in.
 Paper first_paper(const View& view) {
   const int size = block_size(view);
-  Raster<float> level = close_gaps(block_extreme(view, size, std::greater<>()));
+  Raster<float> level = close_gaps(lightest_of_blocks(view, size));
   const Raster<float> least = fading(level);
   const float white = *std::max_element(level.data.begin(), level.data.end());
   Raster<float> known(level.width, level.height, 1.0f);
@@ -149,9 +143,17 @@ Paper estimate_paper(const View& view) {
 
 }  // namespace
 
+double Paper::mean() const {
+  return std::accumulate(level.data.begin(), level.data.end(), 0.0) / static_cast<double>(level.data.size());
+}
+
+Raster<float> lightest_of_blocks(const View& view, int size) {
+  return block_extreme(view, size, std::greater<>());
+}
+
 bool light_on_dark(const View& view) {
   const int size = block_size(view), right = view.width() - 1, bottom = view.height() - 1;
-  const Raster<float> lightest = window_extreme(block_extreme(view, size, std::greater<>()), kWindow, std::greater<>());
+  const Raster<float> lightest = window_extreme(lightest_of_blocks(view, size), kWindow, std::greater<>());
   const Raster<float> darkest = window_extreme(block_extreme(view, size, std::less<>()), kWindow, std::less<>());
   const float white = *std::max_element(lightest.data.begin(), lightest.data.end());
   const float black = *std::min_element(darkest.data.begin(), darkest.data.end());
@@ -171,11 +173,8 @@ bool light_on_dark(const View& view) {
 }
 
 EvenLight even_out(const View& view) {
-  const Paper paper = estimate_paper(view);
-  EvenLight even{Raster<float>(view.width(), view.height()), 0};
-  over_light(view, paper, [&](int x, int y, float light) { even.darkness(x, y) = 1 - light; });
-  const auto& levels = paper.level.data;
-  even.paper = std::accumulate(levels.begin(), levels.end(), 0.0) / static_cast<double>(levels.size());
+  EvenLight even{Raster<float>(view.width(), view.height()), estimate_paper(view)};
+  over_light(view, even.paper, [&](int x, int y, float light) { even.darkness(x, y) = 1 - light; });
   return even;
 }
 

@@ -4,6 +4,7 @@
 // Cost:   three passes over the pixels; blocks of them otherwise.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/raster.h"
@@ -18,19 +19,30 @@ struct View {
 
   int width() const { return image.width; }
   int height() const { return image.height; }
+  std::uint8_t operator[](std::size_t pixel) const { return image.grey[pixel] ^ flip; }
   std::uint8_t operator()(int x, int y) const {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-    return image.grey[i] ^ flip;
+    return (*this)[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
   }
 };
 
 // Which of two tones is the paper: the more frequent one, near the strokes, in the whole and along the border.
 bool light_on_dark(const View& view);
 
+// The light of the bare paper, smooth over the picture.
+struct Paper {
+  int block = 1;        // px
+  Raster<float> level;  // grey level at the centre of each block of so many pixels each way
+
+  double mean() const;
+};
+
 struct EvenLight {
   Raster<float> darkness;  // 0: bare paper; 1: black
-  double paper = 0;        // mean grey level of the bare paper
+  Paper paper;
 };
+
+// The lightest pixel of each block of size x size pixels.
+Raster<float> lightest_of_blocks(const View& view, int size);
 
 EvenLight even_out(const View& view);
 

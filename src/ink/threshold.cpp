@@ -9,6 +9,7 @@
 #include "base/histogram.h"
 #include "ink/paper_light.h"
 #include "ink/runs.h"
+#include "ink/shade.h"
 #include "inkgrid/inkgrid.h"
 
 namespace inkgrid {
@@ -193,6 +194,12 @@ Binarisation below(const View& view, double threshold) {
   return result;
 }
 
+Raster<std::uint8_t> standing_out(const Raster<float>& darkness, double weak) {
+  Raster<std::uint8_t> ink(darkness.width, darkness.height);
+  std::transform(darkness.data.begin(), darkness.data.end(), ink.data.begin(), [&](float d) { return d > weak; });
+  return ink;
+}
+
 // `pixel`: how many pixels of the view were one.
 Binarisation automatic(const View& view, int pixel) {
   auto [darkness, paper] = even_out(view);
@@ -203,13 +210,21 @@ Binarisation automatic(const View& view, int pixel) {
     soften(smoothed);
     levels = measure_levels(smoothed);
   }
+  if (lighten_shades(view, paper, standing_out(darkness, levels.weak), darkness)) {
+    levels = measure_levels(darkness);
+    smoothed = darkness;
+    if (levels.grain > kGrainy) {
+      soften(smoothed);
+      levels = measure_levels(smoothed);
+    }
+  }
   const Raster<float>& clear = smoothed.data.empty() ? darkness : smoothed;
   LocalInk local = half_of_local_ink(clear, levels.weak);
   fill_pinholes(local.ink, clear, levels, pixel);
   drop_specks(local.ink, clear, levels, pixel);
   const auto full = static_cast<float>(levels.full);
   for (float& d : darkness.data) d = std::clamp(d / full, 0.0f, 1.0f);
-  return {std::move(local.ink), std::move(darkness), paper * (1 - local.mean_threshold), false};
+  return {std::move(local.ink), std::move(darkness), paper.mean() * (1 - local.mean_threshold), false};
 }
 
 }  // namespace

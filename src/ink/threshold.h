@@ -20,8 +20,8 @@ struct Binarisation {
 };
 
 // With a number (0..255): ink is exactly grey < threshold, nothing inverted or removed.  Without: copes with clean and
-// antialiased ink, pencil, cream, shaded and grainy paper, pure black-and-white, light lines on dark.  `enlargement`: how many
-// times the picture was enlarged each way, and specks with it.
+// antialiased ink, pencil, cream, shaded and grainy paper, shadows, pure black-and-white, light lines on dark.  `enlargement`:
+// how many times the picture was enlarged each way, and specks with it.
 Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement = 1);
 
 }  // namespace inkgrid

@@ -1,0 +1,166 @@
+// Shadows with an edge, stains and toned areas: paper where strokes run through them, ink where none do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/at.h"
+#include "drawings.h"
+#include "ink/threshold.h"
+#include "inkgrid/inkgrid.h"
+#include "spoiled_pictures.h"
+
+namespace inkgrid {
+namespace {
+
+using testing::blank;
+using testing::circle;
+using testing::paint;
+using testing::spoil;
+
+constexpr int kWidth = 420, kHeight = 320;  // px
+
+// A ring, a line that comes close to every edge, and a dot as wide as two pens.
+Image drawing(double grey = 50) {
+  Image image = blank(kWidth, kHeight, 240);
+  paint(image, circle({150, 150}, 90), 4, grey);
+  paint(image, {{20.5, 300}, {400, 30.5}}, 4, grey);
+  paint(image, {{330, 220}, {380, 290}}, 4, grey);
+  paint(image, {{60, 60}, {60.5, 60}}, 8, grey);
+  return image;
+}
+
+using Light = double (*)(double x, double y);
+
+// 1 left of the edge, `inside` right of it.
+double past(double distance, double inside, double blur) {
+  return 1 - (1 - inside) / (1 + std::exp(-distance / blur));
+}
+
+double half_the_page(double x, double y) {
+  return past(0.8 * (x - 200) + 0.6 * (y - 160), 0.55, 0.3);
+}
+
+double half_of_it_a_little(double x, double y) {
+  return past(0.8 * (x - 200) + 0.6 * (y - 160), 0.75, 0.3);
+}
+
+double a_hand(double x, double y) {
+  return past(140 - std::hypot(x - 330, y - 300), 0.5, 2);
+}
+
+double a_dark_one(double x, double) {
+  return past(x - 180, 0.35, 1);
+}
+
+double a_stain(double x, double y) {
+  return past(50 + 12 * std::cos(5 * std::atan2(y - 110, x - 250)) - std::hypot(x - 250, y - 110), 0.75, 1);
+}
+
+// Two, through one of which no stroke runs.
+double finger_tips(double x, double y) {
+  return past(34 - std::hypot(x - 350, y - 140), 0.6, 1) * past(60 - std::hypot(x - 100, y - 240), 0.6, 1);
+}
+
+Image in_light(Image image, Light light, double grain = 0) {
+  spoil(
+      image, [&](int x, int y) { return light(x + 0.5, y + 0.5); }, grain);
+  return image;
+}
+
+bool has_ink_near(const Binarisation& b, int x, int y) {
+  for (int v = std::max(0, y - 1); v <= std::min(kHeight - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(kWidth - 1, x + 1); ++u)
+      if (b.ink(u, v)) return true;
+  return false;
+}
+
+// All ink of each lies on the other's or beside it, and nearly all on it.
+void expect_same_ink(const Binarisation& a, const Binarisation& b, long most = 40) {
+  long different = 0, stray = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      if (a.ink(x, y) == b.ink(x, y)) continue;
+      ++different;
+      stray += !has_ink_near(a.ink(x, y) ? b : a, x, y);
+    }
+  EXPECT_LE(different, most);
+  EXPECT_LE(stray, most / 20);
+}
+
+long ink_in(const Binarisation& b, int x0, int y0, int x1, int y1) {
+  long n = 0;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) n += b.ink(x, y);
+  return n;
+}
+
+class Shades : public ::testing::TestWithParam<Light> {};
+
+TEST_P(Shades, AreNoInkAndLeaveTheInkAsItIs) {
+  const Binarisation plain = binarise(drawing(), std::nullopt);
+  expect_same_ink(binarise(in_light(drawing(), GetParam()), std::nullopt), plain);
+}
+
+TEST_P(Shades, OnGrainyPaperToo) {
+  const Binarisation plain = binarise(drawing(), std::nullopt);
+  expect_same_ink(binarise(in_light(drawing(), GetParam(), 2), std::nullopt), plain, 140);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shade, Shades, ::testing::Values(half_the_page, a_hand, a_dark_one, a_stain, finger_tips));
+
+TEST(Shade, OverAPencilDrawing) {
+  const Binarisation plain = binarise(drawing(150), std::nullopt);
+  expect_same_ink(binarise(in_light(drawing(150), half_of_it_a_little), std::nullopt), plain);
+}
+
+// A blot in the shadow.
+TEST(Shade, APatchOfInkInItStaysInk) {
+  Image image = drawing();
+  paint(image, {{300, 250}, {301, 250}}, 60, 50);
+  const Binarisation plain = binarise(image, std::nullopt);
+  ASSERT_GT(ink_in(plain, 270, 220, 330, 280), 2800);
+  expect_same_ink(binarise(in_light(image, half_the_page), std::nullopt), plain);
+}
+
+TEST(Shade, AGreyPatchThatNoStrokeRunsThroughIsInk) {
+  Image image = drawing();
+  const Binarisation plain = binarise(image, std::nullopt);
+  paint(image, {{290, 50}, {291, 50}}, 70, 140);
+  const Binarisation b = binarise(image, std::nullopt);
+  EXPECT_NEAR(static_cast<double>(ink_in(b, 0, 0, kWidth, kHeight) - ink_in(plain, 0, 0, kWidth, kHeight)),
+              std::numbers::pi * 35 * 35 + 70, 40);
+}
+
+// Strokes through the tone of a marker are strokes, and the tone is none.
+TEST(Shade, ToneUnderStrokesIsNoInk) {
+  const Light toned = [](double x, double y) { return x > 100 && x < 300 && y > 80 && y < 280 ? 0.6 : 1.0; };
+  const Binarisation plain = binarise(drawing(), std::nullopt);
+  expect_same_ink(binarise(in_light(drawing(), toned), std::nullopt), plain);
+}
+
+// A broad pen over ruled paper, on which the lines can be seen through the ink.
+TEST(Shade, FaintLinesThroughABroadStrokeDoNotMakeItPaper) {
+  Image image = blank(kWidth, kHeight, 240);
+  paint(image, {{80, 60}, {340, 260}}, 40, 60);
+  const Light ruled = [](double, double y) { return std::fmod(y, 24.0) < 1 ? 0.85 : 1.0; };
+  const long inside = ink_in(binarise(in_light(image, ruled), std::nullopt), 150, 120, 260, 205),
+             whole = ink_in(binarise(image, std::nullopt), 150, 120, 260, 205);
+  EXPECT_GE(inside, whole);
+}
+
+TEST(Shade, TurningThePictureTurnsWhatIsFound) {
+  const Image image = in_light(drawing(), a_hand);
+  Image turned = blank(kHeight, kWidth);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) turned.grey[at(x) * kHeight + at(kHeight - 1 - y)] = image.grey[at(y) * kWidth + at(x)];
+  const Binarisation a = binarise(image, std::nullopt), b = binarise(turned, std::nullopt);
+  long n = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) n += a.ink(x, y) != b.ink(kHeight - 1 - y, x);
+  EXPECT_LE(n, 8);
+}
+
+}  // namespace
+}  // namespace inkgrid
