@@ -38,6 +38,9 @@ constexpr std::array kTable{
     OptionRow{"preset", &Options::preset, Stage::bundles, "", 0, 2, "7",
               "sets what is left at auto: for clean drawings, for rough ones, or as the drawing looks"},
     OptionRow{"threshold", &Options::threshold, Stage::ink, "", 0, 255, "5", "pixels whose grey level is below this are ink"},
+    OptionRow{"faintest", &Options::faintest, Stage::ink, "", 0, 0.95, "",
+              "strokes with less than this part of the darkness of full ink are none; auto is 0.15, and above the lines of ruled "
+              "paper; only without a threshold"},
     OptionRow{"soften", &Options::soften, Stage::ink, "px", 0, 20, "",
               "blur of the picture before anything else, so that strokes broken by grain hold together; 0: none"},
     OptionRow{"fills", &Options::fills, Stage::ink, "", 0, 2, "",

@@ -94,7 +94,8 @@ struct Strokes {
 
 Strokes measure_strokes(const Image& image, const Options& options, int enlargement, Stopwatch& run) {
   Strokes strokes;
-  Binarisation binarisation = run("threshold", 0.0, [&] { return binarise(image, options.threshold, enlargement); });
+  Binarisation binarisation =
+      run("threshold", 0.0, [&] { return binarise(image, options.threshold, enlargement, options.faintest); });
   if (options.fills != FillMode::trace) {
     strokes.fills = run("fills", 0.03, [&] { return find_fills(binarisation); });
     binarisation = without_fills(std::move(binarisation), strokes.fills);
@@ -115,7 +116,7 @@ Strokes measure_made(const Image& image, const Options& options, int enlargement
 // How much the picture is softened, px.  A threshold means just what is darker.
 double softening_of(const Image& image, const Ink& ink, const Options& options) {
   if (options.soften || options.threshold) return options.soften.value_or(0);
-  return grain_of(image, ink, options.threads);
+  return grain_of(image, ink, options.threads, options.faintest);
 }
 
 double pen_width(const Strokes& strokes, const Options& options) {

@@ -45,7 +45,8 @@ Json seconds_json(const Report& report) {
 std::string choice_text(const Report& report) {
   return report.preset + " drawing: " + (report.inverted ? "light lines, " : "") + "threshold " + brief(report.threshold) +
          ", stroke width " + brief(report.stroke_width) + " px, reach " + brief(report.reach) + ", spacing " +
-         brief(report.spacing) + (report.softening > 0 ? ", softened by " + brief(report.softening) + " px" : "");
+         brief(report.spacing) + (report.ruled ? ", without the lines of the paper" : "") +
+         (report.softening > 0 ? ", softened by " + brief(report.softening) + " px" : "");
 }
 
 std::string run_description(const Options& options, const Report& report) {
@@ -61,6 +62,8 @@ std::string report_json(const Options& options, const Report& report) {
                   {"options", options_json(options)},
                   {"threshold", report.threshold},
                   {"inverted", report.inverted},
+                  {"faintest", report.faintest},
+                  {"ruled", report.ruled},
                   {"stroke_width", report.stroke_width},
                   {"ink_pixels", report.ink_pixels},
                   {"softening", report.softening},

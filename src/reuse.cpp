@@ -20,7 +20,7 @@ bool same_mask(const std::optional<ScaleMask>& a, const std::optional<ScaleMask>
 // An image that was released is that of no other run.
 bool same_ink(const Inputs& a, const Inputs& b) {
   return !a.image.grey.empty() && same_pixels(a.image, b.image) && a.options.threshold == b.options.threshold &&
-         a.options.soften == b.options.soften && a.options.fills == b.options.fills;
+         a.options.faintest == b.options.faintest && a.options.soften == b.options.soften && a.options.fills == b.options.fills;
 }
 
 // Whether the grid is to work on the same ink with another spacing.

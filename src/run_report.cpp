@@ -9,6 +9,8 @@ namespace inkgrid {
 void report_ink(const Ink& ink, const Fills& fills, double softening, Report& report) {
   report.threshold = ink.threshold;
   report.inverted = ink.inverted;
+  report.faintest = ink.faintest;
+  report.ruled = ink.ruled;
   report.stroke_width = ink.stroke_width / ink.enlargement;
   report.ink_pixels = ink.pixels / ink.enlargement / ink.enlargement;
   report.softening = softening;

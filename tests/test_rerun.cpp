@@ -36,6 +36,7 @@ Image drawing() {
 std::string other_value(std::string_view name) {
   static const std::pair<std::string_view, const char*> kValues[] = {{"preset", "rough"},
                                                                      {"threshold", "60"},
+                                                                     {"faintest", "0.8"},
                                                                      {"soften", "2"},
                                                                      {"fills", "trace"},
                                                                      {"bundles", "join"},

@@ -1,7 +1,6 @@
 // Shadows with an edge, stains and toned areas: paper where strokes run through them, ink where none do.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 #include "drawings.h"
 #include "ink/threshold.h"
 #include "inkgrid/inkgrid.h"
+#include "same_ink.h"
 #include "spoiled_pictures.h"
 
 namespace inkgrid {
@@ -16,6 +16,8 @@ namespace {
 
 using testing::blank;
 using testing::circle;
+using testing::expect_same_ink;
+using testing::ink_in;
 using testing::paint;
 using testing::spoil;
 
@@ -67,33 +69,6 @@ Image in_light(Image image, Light light, double grain = 0) {
   spoil(
       image, [&](int x, int y) { return light(x + 0.5, y + 0.5); }, grain);
   return image;
-}
-
-bool has_ink_near(const Binarisation& b, int x, int y) {
-  for (int v = std::max(0, y - 1); v <= std::min(kHeight - 1, y + 1); ++v)
-    for (int u = std::max(0, x - 1); u <= std::min(kWidth - 1, x + 1); ++u)
-      if (b.ink(u, v)) return true;
-  return false;
-}
-
-// All ink of each lies on the other's or beside it, and nearly all on it.
-void expect_same_ink(const Binarisation& a, const Binarisation& b, long most = 40) {
-  long different = 0, stray = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      if (a.ink(x, y) == b.ink(x, y)) continue;
-      ++different;
-      stray += !has_ink_near(a.ink(x, y) ? b : a, x, y);
-    }
-  EXPECT_LE(different, most);
-  EXPECT_LE(stray, most / 20);
-}
-
-long ink_in(const Binarisation& b, int x0, int y0, int x1, int y1) {
-  long n = 0;
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) n += b.ink(x, y);
-  return n;
 }
 
 class Shades : public ::testing::TestWithParam<Light> {};

@@ -17,6 +17,7 @@ enum class BundleMode { automatic, join, keep };
 struct Options {
   Preset preset = Preset::automatic;
   std::optional<double> threshold;  // grey level 0..255; unset: chosen from the drawing (section 5)
+  std::optional<double> faintest;   // of full ink, 0..1; unset: 0.15, and more than the lines of ruled paper
   std::optional<double> soften;     // px, standard deviation of the blur before anything else; unset: as its grain needs
   std::optional<double> reach;      // beta, strokes; unset: from the preset (section 5)
   std::optional<double> spacing;    // lambda, strokes; unset: from the preset (section 6.2)

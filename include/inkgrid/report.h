@@ -11,6 +11,8 @@ struct Report {
   // ink (section 5)
   double threshold = 0;     // grey level actually used; pixels below it are ink (the mean one where it is local)
   bool inverted = false;    // light lines on dark paper
+  double faintest = 0;      // of full ink: what is paler is none
+  bool ruled = false;       // the paper is, and its lines are left out
   double stroke_width = 0;  // px, the paper's omega-bar
   long ink_pixels = 0;
   double softening = 0;  // px: by how much the picture was softened first, as its strokes were broken by grain

@@ -110,10 +110,11 @@ struct Mended {
 
 class Search {
  public:
-  Search(const Image& image, const Ink& ink, int threads)
+  Search(const Image& image, const Ink& ink, int threads, std::optional<double> faintest)
       : image_(image),
         ink_(ink),
         threads_(threads),
+        faintest_(faintest),
         crumbs_(pieces_in(ink.mask, 1)),
         paper_(pieces_in(ink.mask, 0)),
         pinholes_(pinholes_in(ink.mask, paper_)),
@@ -128,7 +129,7 @@ class Search {
 
   // Nothing where strokes are too fine to tell crumbs by so much.
   std::optional<Mended> with(double sigma) const {
-    Binarisation ink = binarise(softened(image_, sigma, threads_), std::nullopt);
+    Binarisation ink = binarise(softened(image_, sigma, threads_), std::nullopt, 1, faintest_);
     const double filled = share_in(find_fills(ink));
     const Ink soft = measure_ink(std::move(ink));
     if (soft.pixels == 0 || soft.stroke_width < kFinestTold * sigma) return std::nullopt;
@@ -186,6 +187,7 @@ class Search {
   const Image& image_;
   const Ink& ink_;
   int threads_;
+  std::optional<double> faintest_;
   Pieces crumbs_, paper_;
   std::vector<std::vector<Run>> pinholes_;
   double length_;  // of the ink, in stroke widths; in widths of crumbs where it is broken
@@ -203,9 +205,9 @@ Image softened(const Image& image, double sigma, int threads) {
   return result;
 }
 
-double grain_of(const Image& image, const Ink& ink, int threads) {
+double grain_of(const Image& image, const Ink& ink, int threads, std::optional<double> faintest) {
   if (ink.pixels == 0) return 0;
-  const Search search(image, ink, threads);
+  const Search search(image, ink, threads, faintest);
   if (!search.is_worth_a_look()) return 0;
   std::vector<Mended> tried;
   for (double sigma = kLeast; sigma <= kMost; sigma *= kStep) {

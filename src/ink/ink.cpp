@@ -298,6 +298,8 @@ Ink measure_ink(Binarisation binarisation, int enlargement) {
   ink.enlargement = enlargement;
   ink.threshold = binarisation.threshold;
   ink.inverted = binarisation.inverted;
+  ink.faintest = binarisation.faintest;
+  ink.ruled = binarisation.ruled;
   ink.mask = std::move(binarisation.ink);
   ink.darkness = std::move(binarisation.darkness);
   ink.pixels = static_cast<long>(std::count(ink.mask.data.begin(), ink.mask.data.end(), std::uint8_t{1}));

@@ -23,6 +23,8 @@ struct Ink {
   long pixels = 0;              // stroke pixels
   double threshold = 0;         // as Binarisation
   bool inverted = false;
+  double faintest = 0;
+  bool ruled = false;
   int enlargement = 1;  // how many of its pixels lie side by side in one of the drawing (enlarge.h)
   Vec2 origin;  // px: where pixel (0, 0) lies in the drawing, whole numbers; other than zero for a window of it (window.h)
 

@@ -38,8 +38,7 @@ float width_of(const Speck& speck) {
 
 void paint(const Speck& speck, std::uint8_t value, Raster<std::uint8_t>& ink) {
   for (const Run& run : speck.runs)
-    std::fill_n(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.first, run.y)),
-              run.pixels(), value);
+    std::fill_n(ink.data.begin() + static_cast<std::ptrdiff_t>(ink.index(run.first, run.y)), run.pixels(), value);
 }
 
 float greatest(const Raster<float>& depth, const Speck& speck) {

@@ -8,6 +8,7 @@
 #include "base/at.h"
 #include "base/histogram.h"
 #include "ink/paper_light.h"
+#include "ink/ruling.h"
 #include "ink/runs.h"
 #include "ink/shade.h"
 #include "inkgrid/inkgrid.h"
@@ -23,6 +24,9 @@ constexpr double kFaintOfFull = 0.15;  // of full ink: lighter than this is soil
 constexpr double kNoiseFactor = 5;     // weak ink stands out from the grain by this many standard deviations
 constexpr double kSeedFactor = 1.4;    // a stroke has a pixel this much darker than the weakest ink
 constexpr double kGrainy = 0.012;      // standard deviation of the paper's darkness above which the picture is smoothed first
+constexpr double kOverRuling = 1.2;    // times the darkness of ruled lines: the weakest ink on them
+constexpr float kDrawn = 2.2f;         // times that: what is darker was drawn,
+constexpr double kDrawnPart = 0.001;   // and is so much of the page at least
 constexpr double kAnyGrain = 0.003;    // and below which there is none
 constexpr double kSpeck = 2;           // px of full ink: less is no dot, on paper without grain
 constexpr double kSpeckInGrain = 6;    // and with it
@@ -50,20 +54,22 @@ void soften(Raster<float>& raster) {
 }
 
 struct Levels {
-  double grain = 0;  // standard deviation of the darkness of bare paper
-  double weak = 0;   // darkness of the weakest ink
-  double full = 1;   // darkness of full ink
+  double grain = 0;    // standard deviation of the darkness of bare paper
+  double weak = 0;     // darkness of the weakest ink
+  double full = 1;     // darkness of full ink
+  bool ruled = false;  // the paper is, and its lines are weaker
 };
 
-Levels measure_levels(const Raster<float>& darkness) {
+// `above`: darkness below which nothing is ink; `part`: the same as a part of full ink.
+Levels measure_levels(const Raster<float>& darkness, double above, double part) {
   Histogram histogram(6144, -0.5, 1.0);
   for (const float d : darkness.data) histogram.add(d);
   Levels levels;
   const double bin = 1.5 / 6144;
   levels.grain = std::max(0.0, -1.4826 * histogram.quantile(0.5, -0.5, bin));
-  const double least = std::max(kFaintest, kNoiseFactor * levels.grain);
+  const double least = std::max({kFaintest, kNoiseFactor * levels.grain, above});
   levels.full = std::max(histogram.quantile(0.9, least, 1.0), 2 * least);
-  levels.weak = std::max(least, kFaintOfFull * levels.full);
+  levels.weak = std::max(least, part * levels.full);
   return levels;
 }
 
@@ -184,8 +190,8 @@ std::optional<std::pair<int, int>> two_tones(const Image& image) {
 
 // Ink is exactly what is darker than the threshold.
 Binarisation below(const View& view, double threshold) {
-  Binarisation result{Raster<std::uint8_t>(view.width(), view.height()), Raster<float>(view.width(), view.height()), threshold,
-                      false};
+  Binarisation result{
+      Raster<std::uint8_t>(view.width(), view.height()), Raster<float>(view.width(), view.height()), threshold, false, 0, false};
   for (int y = 0; y < view.height(); ++y)
     for (int x = 0; x < view.width(); ++x) {
       result.ink(x, y) = view(x, y) < threshold;
@@ -200,36 +206,67 @@ Raster<std::uint8_t> standing_out(const Raster<float>& darkness, double weak) {
   return ink;
 }
 
+// Full ink is that of what is dark enough, and dark enough is a part of full ink.
+Levels levels_above(const Raster<float>& darkness, double faintest) {
+  Levels levels = measure_levels(darkness, 0, faintest);
+  for (int round = 0; round < 3; ++round) levels = measure_levels(darkness, faintest * levels.full, faintest);
+  return levels;
+}
+
+bool is_drawn_on(const Raster<float>& darkness, double ruling) {
+  const auto drawn = std::count_if(darkness.data.begin(), darkness.data.end(),
+                                   [most = kDrawn * static_cast<float>(ruling)](float d) { return d > most; });
+  return static_cast<double>(drawn) > kDrawnPart * static_cast<double>(darkness.data.size());
+}
+
+// Without the lines of ruled paper.
+Levels levels_on_ruling(const Raster<float>& darkness, const Levels& levels) {
+  const double ruling = ruling_of(darkness, levels.weak);
+  if (ruling == 0 || !is_drawn_on(darkness, ruling)) return levels;
+  Levels above = measure_levels(darkness, kOverRuling * ruling, kFaintOfFull);
+  above.ruled = true;
+  return above;
+}
+
+// Smoothed where there is grain.
+struct Clear {
+  Raster<float> smoothed;  // empty: nothing is
+  Levels levels;
+
+  const Raster<float>& of(const Raster<float>& darkness) const { return smoothed.data.empty() ? darkness : smoothed; }
+};
+
+Clear clear_of(const Raster<float>& darkness, std::optional<double> faintest) {
+  Clear clear{{}, measure_levels(darkness, 0, kFaintOfFull)};
+  if (clear.levels.grain > kGrainy) {
+    clear.smoothed = darkness;
+    soften(clear.smoothed);
+    clear.levels = measure_levels(clear.smoothed, 0, kFaintOfFull);
+  }
+  const Raster<float>& seen = clear.of(darkness);
+  clear.levels = faintest ? levels_above(seen, *faintest) : levels_on_ruling(seen, clear.levels);
+  return clear;
+}
+
 // `pixel`: how many pixels of the view were one.
-Binarisation automatic(const View& view, int pixel) {
+Binarisation automatic(const View& view, int pixel, std::optional<double> faintest) {
   auto [darkness, paper] = even_out(view);
-  Levels levels = measure_levels(darkness);
-  Raster<float> smoothed;
-  if (levels.grain > kGrainy) {
-    smoothed = darkness;
-    soften(smoothed);
-    levels = measure_levels(smoothed);
-  }
-  if (lighten_shades(view, paper, standing_out(darkness, levels.weak), darkness)) {
-    levels = measure_levels(darkness);
-    smoothed = darkness;
-    if (levels.grain > kGrainy) {
-      soften(smoothed);
-      levels = measure_levels(smoothed);
-    }
-  }
-  const Raster<float>& clear = smoothed.data.empty() ? darkness : smoothed;
+  Clear found = clear_of(darkness, faintest);
+  if (lighten_shades(view, paper, standing_out(darkness, found.levels.weak), darkness)) found = clear_of(darkness, faintest);
+  const Levels& levels = found.levels;
+  const Raster<float>& clear = found.of(darkness);
   LocalInk local = half_of_local_ink(clear, levels.weak);
   fill_pinholes(local.ink, clear, levels, pixel);
   drop_specks(local.ink, clear, levels, pixel);
   const auto full = static_cast<float>(levels.full);
   for (float& d : darkness.data) d = std::clamp(d / full, 0.0f, 1.0f);
-  return {std::move(local.ink), std::move(darkness), paper.mean() * (1 - local.mean_threshold), false};
+  return {std::move(local.ink),      std::move(darkness), paper.mean() * (1 - local.mean_threshold), false,
+          levels.weak / levels.full, levels.ruled};
 }
 
 }  // namespace
 
-Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement) {
+Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement, std::optional<double> faintest) {
   if (image.width <= 0 || image.height <= 0) throw Error(ErrorCode::usage, "the image is empty");
   if (threshold) return below({image, 0}, *threshold);
   const bool inverted = light_on_dark({image, 0});
@@ -239,7 +276,7 @@ Binarisation binarise(const Image& image, std::optional<double> threshold, int e
     result = below(view, 0.5 * ((tones->first ^ view.flip) + (tones->second ^ view.flip)));
     for (std::size_t i = 0; i < result.ink.data.size(); ++i) result.darkness.data[i] = result.ink.data[i];
   } else {
-    result = automatic(view, enlargement * enlargement);
+    result = automatic(view, enlargement * enlargement, faintest);
   }
   result.inverted = inverted;
   if (inverted) result.threshold = 255 - result.threshold;

@@ -17,11 +17,14 @@ struct Binarisation {
   Raster<float> darkness;  // 0: paper, 1: full ink; light and shade of the paper divided out, light-on-dark drawings turned over
   double threshold = 0;    // grey level below which a pixel of the image is ink; the mean one where it varies
   bool inverted = false;   // light lines on dark paper
+  double faintest = 0;     // of full ink: what is paler is none
+  bool ruled = false;      // the paper is, and its lines are left out
 };
 
 // With a number (0..255): ink is exactly grey < threshold, nothing inverted or removed.  Without: copes with clean and
 // antialiased ink, pencil, cream, shaded and grainy paper, shadows, pure black-and-white, light lines on dark.  `enlargement`:
 // how many times the picture was enlarged each way, and specks with it.
-Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement = 1);
+Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement = 1,
+                      std::optional<double> faintest = std::nullopt);
 
 }  // namespace inkgrid

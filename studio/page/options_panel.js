@@ -124,7 +124,7 @@ export class OptionsPanel {
   }
 
   show(options, report) {
-    const found = { preset: report?.preset, bundles: report && (report.bundles > 0 ? 'join' : 'keep'), threshold: report?.threshold, soften: report?.softening, reach: report?.reach, spacing: report?.spacing, gap: report?.gap };
+    const found = { preset: report?.preset, bundles: report && (report.bundles > 0 ? 'join' : 'keep'), threshold: report?.threshold, faintest: report?.faintest, soften: report?.softening, reach: report?.reach, spacing: report?.spacing, gap: report?.gap };
     for (const row of this.rows) row.show(options[row.option.name], found[row.option.name]);
   }
 

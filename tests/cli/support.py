@@ -47,6 +47,11 @@ def cross():
     return rows
 
 
+def on_ruled_paper(rows):
+    """A picture on paper that is ruled every 8 px."""
+    return [bytearray(min(grey, 200 if y % 8 == 4 else 255) for grey in row) for y, row in enumerate(rows)]
+
+
 def lattice():
     """Enough work for some seconds: 24 strokes that cross, 1200 x 900 px."""
     rows = blank(1200, 900)

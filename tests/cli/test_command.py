@@ -8,10 +8,10 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, paint_line, pgm, png, screened
+from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, on_ruled_paper, paint_line, pgm, png, screened
 
 TABLE = {
-    'preset': 'auto', 'threshold': 'auto', 'soften': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
+    'preset': 'auto', 'threshold': 'auto', 'faintest': 'auto', 'soften': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
     'degenerate-angle': 30, 'degenerate-ratio': 0.1, 'degenerate-fraction': 0.01, 'field-rounds': 100, 'label-length': 4,
     'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'gap': 'auto', 'coverage-bins': 4, 'threads': 0,
 }
@@ -147,6 +147,14 @@ class Told(CommandTest):
         self.succeed('screened.png', '--soften', '1.5')
         self.assertIn(b', softened by 1.5 px)', self.read('screened.svg'))
         self.assertNotIn('softened', self.succeed('screened.png', '--soften', '0').stderr.decode())
+
+    def test_lines_of_the_paper_that_are_left_out_are_told(self):
+        self.put('ruled.png', png(on_ruled_paper(cross())))
+        self.assertRegex(self.succeed('ruled.png').stderr.decode().splitlines()[0], ', without the lines of the paper$')
+        self.succeed('drawing.png')
+        self.assertEqual(self.read('ruled.svg').count(b'<path'), self.read('drawing.svg').count(b'<path'))
+        self.assertNotIn('the paper', self.succeed('ruled.png', '--faintest', '0.1').stderr.decode())
+        self.assertGreater(self.read('ruled.svg').count(b'<path'), 10)
 
     def test_given_preset_says_nothing(self):
         self.assertNotIn(b'spacing', self.succeed('drawing.png', '--preset', 'clean').stderr)
