@@ -1,5 +1,5 @@
 // What:   sliding-window filters over a raster, separable, with a cost that does not depend on the window.
-// Source: textbook (monotone queue, running sum).
+// Source: textbook (van Herk 1992, running sum).
 // Differs: nothing.
 // Cost:   O(pixels).
 #pragma once
@@ -16,21 +16,26 @@
 
 namespace inkgrid {
 
+constexpr int kLinesTogether = 16;  // so that pixels that lie side by side are read one after the other
+
 // Applies `filter(line)` to every row, then to every column; a line is a std::vector<float> changed in place.
 template <class Filter>
 void filter_lines(Raster<float>& raster, Filter filter) {
-  std::vector<float> line(static_cast<std::size_t>(raster.width));
+  std::vector<float> row(static_cast<std::size_t>(raster.width));
   for (int y = 0; y < raster.height; ++y) {
-    const auto row = raster.data.begin() + static_cast<std::ptrdiff_t>(raster.index(0, y));
-    std::copy_n(row, raster.width, line.begin());
-    filter(line);
-    std::copy(line.begin(), line.end(), row);
+    const auto pixels = raster.data.begin() + static_cast<std::ptrdiff_t>(raster.index(0, y));
+    std::copy_n(pixels, raster.width, row.begin());
+    filter(row);
+    std::copy(row.begin(), row.end(), pixels);
   }
-  line.resize(static_cast<std::size_t>(raster.height));
-  for (int x = 0; x < raster.width; ++x) {
-    for (int y = 0; y < raster.height; ++y) line[at(y)] = raster(x, y);
-    filter(line);
-    for (int y = 0; y < raster.height; ++y) raster(x, y) = line[at(y)];
+  std::vector<std::vector<float>> columns(kLinesTogether, std::vector<float>(static_cast<std::size_t>(raster.height)));
+  for (int first = 0; first < raster.width; first += kLinesTogether) {
+    const int count = std::min(kLinesTogether, raster.width - first);
+    for (int y = 0; y < raster.height; ++y)
+      for (int k = 0; k < count; ++k) columns[at(k)][at(y)] = raster(first + k, y);
+    for (int k = 0; k < count; ++k) filter(columns[at(k)]);
+    for (int y = 0; y < raster.height; ++y)
+      for (int k = 0; k < count; ++k) raster(first + k, y) = columns[at(k)][at(y)];
   }
 }
 
@@ -38,18 +43,22 @@ void filter_lines(Raster<float>& raster, Filter filter) {
 template <class Filter>
 void filter_diagonals(Raster<float>& raster, Filter filter) {
   const int w = raster.width, h = raster.height;
-  std::vector<float> line;
-  for (const int step : {1, -1})
-    for (int start = 1 - h; start < w; ++start) {  // where the diagonal meets row 0, from its own side
-      const int top = std::max(0, -start), length = std::min(h - top, w - std::max(0, start));
-      const auto pixel = [&](int k) -> float& {
-        const int x = start + top + k;
-        return raster(step > 0 ? x : w - 1 - x, top + k);
+  std::vector<std::vector<float>> lines(kLinesTogether);
+  for (const int side : {1, -1})
+    for (int first = 1 - h; first < w; first += kLinesTogether) {  // where a diagonal meets row 0, from its own side
+      const int count = std::min(kLinesTogether, w - first);
+      const auto for_each_pixel = [&](auto visit) {
+        for (int y = std::max(0, 1 - first - count); y < std::min(h, w - first); ++y)
+          for (int k = std::max(0, -first - y); k < std::min(count, w - first - y); ++k)
+            visit(lines[at(k)], at(y - std::max(0, -first - k)), raster(side > 0 ? first + k + y : w - 1 - first - k - y, y));
       };
-      line.resize(at(length));
-      for (int k = 0; k < length; ++k) line[at(k)] = pixel(k);
-      filter(line);
-      for (int k = 0; k < length; ++k) pixel(k) = line[at(k)];
+      for (int k = 0; k < count; ++k) {
+        const int start = first + k;
+        lines[at(k)].resize(at(std::min(h - std::max(0, -start), w - std::max(0, start))));
+      }
+      for_each_pixel([](std::vector<float>& line, std::size_t i, float pixel) { line[i] = pixel; });
+      for (int k = 0; k < count; ++k) filter(lines[at(k)]);
+      for_each_pixel([](const std::vector<float>& line, std::size_t i, float& pixel) { pixel = line[i]; });
     }
 }
 
@@ -57,19 +66,18 @@ void filter_diagonals(Raster<float>& raster, Filter filter) {
 // ends.
 template <class Before>
 void slide_extreme(std::vector<float>& line, int radius, Before before) {
-  const std::size_t n = line.size(), reach = static_cast<std::size_t>(radius);
-  const std::vector<float> value = line;
-  std::vector<std::size_t> queue(n);  // positions whose values are in order: the front is the extreme of the window
-  std::size_t front = 0, back = 0;
-  for (std::size_t i = 0; i < n + reach; ++i) {
-    if (i < n) {
-      while (back > front && !before(value[queue[back - 1]], value[i])) --back;
-      queue[back++] = i;
-    }
-    if (i < reach) continue;
-    while (queue[front] + 2 * reach < i) ++front;
-    line[i - reach] = value[queue[front]];
-  }
+  // The line is cut into pieces as long as the window (van Herk 1992): each window is the end of one and the start of the next.
+  const std::size_t n = line.size(), reach = static_cast<std::size_t>(radius), window = 2 * reach + 1;
+  const auto better = [&](float a, float b) { return before(b, a) ? b : a; };
+  std::vector<float> from_start(n + 2 * reach, line.front());
+  std::copy(line.begin(), line.end(), from_start.begin() + radius);
+  std::fill(from_start.end() - radius, from_start.end(), line.back());
+  std::vector<float> to_end = from_start;
+  for (std::size_t i = 1; i < from_start.size(); ++i)
+    if (i % window != 0) from_start[i] = better(from_start[i - 1], from_start[i]);
+  for (std::size_t i = to_end.size() - 1; i > 0; --i)
+    if (i % window != 0) to_end[i - 1] = better(to_end[i], to_end[i - 1]);
+  for (std::size_t i = 0; i < n; ++i) line[i] = better(to_end[i], from_start[i + 2 * reach]);
 }
 
 template <class Before>
