@@ -101,13 +101,26 @@ INSTANTIATE_TEST_SUITE_P(Ruling, RuledPaper,
                          ::testing::Values(in_rows, in_columns, in_squares, in_turned_rows, in_bent_rows, in_rows_seen_aslant,
                                            in_rows_with_a_margin));
 
+// Strokes of a soft pencil are as dark as the shadow, and must not be taken for one.
+TEST(Ruling, InAShadowIsNoInkEither) {
+  Image image = blank(kWidth, kHeight, 240);
+  paint(image, circle({150, 150}, 90), 11, 120);
+  paint(image, {{20, 300}, {400, 30}}, 11, 120);
+  const Light light = [](double x, double y) {
+    return in_rows(x, y) * (1 - 0.45 / (1 + std::exp((std::hypot(x - 330, y - 300) - 140) / 2)));
+  };
+  const Binarisation plain = binarise(image, std::nullopt), b = binarise(on_paper(image, light, 4), std::nullopt);
+  EXPECT_TRUE(b.ruled);
+  expect_same_ink(b, plain, 700);
+}
+
 TEST(Ruling, ItsDarknessIsThatOfItsLines) {
   Raster<float> darkness(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) darkness(x, y) = static_cast<float>(1 - in_rows(x + 0.5, y + 0.5));
-  EXPECT_NEAR(ruling_of(darkness, 0.1), 0.3 * 0.75, 0.01);  // half a pixel beside the middle
-  EXPECT_EQ(ruling_of(Raster<float>(kWidth, kHeight, 0.05f), 0.1), 0);
-  EXPECT_EQ(ruling_of(Raster<float>(kWidth, kHeight, 0.5f), 0.1), 0);
+  EXPECT_NEAR(ruling_of(darkness, 0.1).usual, 0.3 * 0.75, 0.01);  // half a pixel beside the middle
+  EXPECT_EQ(ruling_of(Raster<float>(kWidth, kHeight, 0.05f), 0.1).usual, 0);
+  EXPECT_EQ(ruling_of(Raster<float>(kWidth, kHeight, 0.5f), 0.1).usual, 0);
 }
 
 // Squares drawn with the pen of the drawing, and squares alone.

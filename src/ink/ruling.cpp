@@ -17,6 +17,7 @@ constexpr double kCovered = 0.7;   // of a strip's breadth, by a line
 constexpr double kAlike = 0.15;    // of the distance of lines: they differ by no more
 constexpr int kFewest = 6;         // lines of a strip that have another one at that distance
 constexpr double kPage = 0.5;      // of the page, that lines rule, along it and across
+constexpr double kUneven = 1.5;    // times the usual darkness: what was not drawn over is no darker
 constexpr double kDarkest = 0.95;  // of the pixels of lines that nothing was drawn over
 
 // A strip of the page, lines across it.
@@ -104,8 +105,8 @@ std::vector<int> ruled(const std::vector<Strip>& strips) {
   return static_cast<double>(found.size()) > kPage * kStrips ? found : std::vector<int>{};
 }
 
-// How dark nearly all of the lines is that nothing was drawn over.
-double darkness_of_lines(const Page& page, const std::vector<Strip>& strips, const std::vector<int>& ruled) {
+// Of the lines, most of which nothing was drawn over.
+Ruling darkness_of_lines(const Page& page, const std::vector<Strip>& strips, const std::vector<int>& ruled) {
   Histogram darkness(1024, 0, 1);
   for (const int k : ruled)
     for (const double line : strips[at(k)].lines) {
@@ -116,22 +117,24 @@ double darkness_of_lines(const Page& page, const std::vector<Strip>& strips, con
         darkness.add(most);
       }
     }
-  return darkness.quantile(kDarkest, 0, 2 * darkness.quantile(0.5, 0, 1));
+  const double usual = darkness.quantile(0.5, 0, 1);
+  return {usual, darkness.quantile(kDarkest, 0, kUneven * usual)};
 }
 
-double ruling_of(const Page& page, double weak) {
-  if (page.breadth() < 2 * kStrips) return 0;
+Ruling ruling_of(const Page& page, double weak) {
+  if (page.breadth() < 2 * kStrips) return {};
   const auto cover = covered(page, static_cast<float>(weak));
   std::vector<Strip> strips;
   for (int k = 0; k < kStrips; ++k) strips.push_back(strip_of(cover[at(k)], kCovered * (page.first(k + 1) - page.first(k))));
   const std::vector<int> found = ruled(strips);
-  return found.empty() ? 0 : darkness_of_lines(page, strips, found);
+  return found.empty() ? Ruling{} : darkness_of_lines(page, strips, found);
 }
 
 }  // namespace
 
-double ruling_of(const Raster<float>& darkness, double weak) {
-  return std::max(ruling_of(Page{darkness, false}, weak), ruling_of(Page{darkness, true}, weak));
+Ruling ruling_of(const Raster<float>& darkness, double weak) {
+  const Ruling rows = ruling_of(Page{darkness, false}, weak), columns = ruling_of(Page{darkness, true}, weak);
+  return {std::max(rows.usual, columns.usual), std::max(rows.most, columns.most)};
 }
 
 }  // namespace inkgrid

@@ -8,8 +8,13 @@
 
 namespace inkgrid {
 
-// The darkness of what rules the page, in rows or columns, of which little is darker; 0 where nothing does.  `weak`: darkness
-// above which there is more than paper.
-double ruling_of(const Raster<float>& darkness, double weak);
+// How dark the lines are that rule a page, in rows or columns; 0 where none do.
+struct Ruling {
+  double usual = 0;
+  double most = 0;  // of nearly all pixels
+};
+
+// `weak`: darkness above which there is more than paper.
+Ruling ruling_of(const Raster<float>& darkness, double weak);
 
 }  // namespace inkgrid

@@ -25,7 +25,7 @@ constexpr double kNoiseFactor = 5;     // weak ink stands out from the grain by 
 constexpr double kSeedFactor = 1.4;    // a stroke has a pixel this much darker than the weakest ink
 constexpr double kGrainy = 0.012;      // standard deviation of the paper's darkness above which the picture is smoothed first
 constexpr double kOverRuling = 1.2;    // times the darkness of ruled lines: the weakest ink on them
-constexpr float kDrawn = 2.2f;         // times that: what is darker was drawn,
+constexpr double kDrawn = 2;           // times the usual one: what is darker was drawn,
 constexpr double kDrawnPart = 0.001;   // and is so much of the page at least
 constexpr double kAnyGrain = 0.003;    // and below which there is none
 constexpr double kSpeck = 2;           // px of full ink: less is no dot, on paper without grain
@@ -213,19 +213,26 @@ Levels levels_above(const Raster<float>& darkness, double faintest) {
   return levels;
 }
 
-bool is_drawn_on(const Raster<float>& darkness, double ruling) {
-  const auto drawn = std::count_if(darkness.data.begin(), darkness.data.end(),
-                                   [most = kDrawn * static_cast<float>(ruling)](float d) { return d > most; });
-  return static_cast<double>(drawn) > kDrawnPart * static_cast<double>(darkness.data.size());
+// The usual darkness of what was drawn over ruled lines; 0 where nothing was.
+double drawn_over(const Raster<float>& darkness, double ruling) {
+  Histogram histogram(1024, 0, 1);
+  for (const float d : darkness.data) histogram.add(d);
+  long drawn = 0;
+  for (std::size_t i = at(static_cast<int>(1024 * std::min(1.0, kDrawn * ruling))); i < histogram.count.size(); ++i)
+    drawn += histogram.count[i];
+  const bool enough = static_cast<double>(drawn) > kDrawnPart * static_cast<double>(darkness.data.size());
+  return enough ? histogram.quantile(0.9, kDrawn * ruling, 1) : 0;
 }
 
-// Without the lines of ruled paper.
+// Without the lines of ruled paper, but with half as dark ink as any that was drawn.
 Levels levels_on_ruling(const Raster<float>& darkness, const Levels& levels) {
-  const double ruling = ruling_of(darkness, levels.weak);
-  if (ruling == 0 || !is_drawn_on(darkness, ruling)) return levels;
-  Levels above = measure_levels(darkness, kOverRuling * ruling, kFaintOfFull);
-  above.ruled = true;
-  return above;
+  const Ruling ruling = ruling_of(darkness, levels.weak);
+  if (ruling.usual == 0) return levels;
+  const double above = std::min(kOverRuling * ruling.most, 0.65 * drawn_over(darkness, ruling.usual));
+  if (above < ruling.usual) return levels;
+  Levels higher = measure_levels(darkness, above, kFaintOfFull);
+  higher.ruled = true;
+  return higher;
 }
 
 // Smoothed where there is grain.
@@ -252,7 +259,8 @@ Clear clear_of(const Raster<float>& darkness, std::optional<double> faintest) {
 Binarisation automatic(const View& view, int pixel, std::optional<double> faintest) {
   auto [darkness, paper] = even_out(view);
   Clear found = clear_of(darkness, faintest);
-  if (lighten_shades(view, paper, standing_out(darkness, found.levels.weak), darkness)) found = clear_of(darkness, faintest);
+  if (lighten_shades(view, paper, standing_out(found.of(darkness), found.levels.weak), darkness))
+    found = clear_of(darkness, faintest);
   const Levels& levels = found.levels;
   const Raster<float>& clear = found.of(darkness);
   LocalInk local = half_of_local_ink(clear, levels.weak);
