@@ -24,13 +24,14 @@ constexpr double kFaintOfFull = 0.15;  // of full ink: lighter than this is soil
 constexpr double kNoiseFactor = 5;     // weak ink stands out from the grain by this many standard deviations
 constexpr double kSeedFactor = 1.4;    // a stroke has a pixel this much darker than the weakest ink
 constexpr double kGrainy = 0.012;      // standard deviation of the paper's darkness above which the picture is smoothed first
-constexpr double kOverRuling = 1.2;    // times the darkness of ruled lines: the weakest ink on them
-constexpr double kDrawn = 2;           // times the usual one: what is darker was drawn,
-constexpr double kDrawnPart = 0.001;   // and is so much of the page at least
 constexpr double kAnyGrain = 0.003;    // and below which there is none
 constexpr double kSpeck = 2;           // px of full ink: less is no dot, on paper without grain
 constexpr double kSpeckInGrain = 6;    // and with it
 constexpr long kPinhole = 16;          // px
+constexpr double kDrawn = 2;           // times the usual darkness of ruled lines: what is darker was drawn,
+constexpr double kDrawnPart = 0.001;   // and is so much of the page at least
+constexpr double kOverRuling = 1.2;    // times the darkness of nearly all of those lines: the weakest ink,
+constexpr double kOfDrawn = 0.65;      // but no more than this part of what was drawn
 
 // A light blur (1 2 1)/4 both ways, in place.
 void soften(Raster<float>& raster) {
@@ -213,7 +214,7 @@ Levels levels_above(const Raster<float>& darkness, double faintest) {
   return levels;
 }
 
-// The usual darkness of what was drawn over ruled lines; 0 where nothing was.
+// How dark what was drawn over ruled lines is where it is full; 0 where nothing was.
 double drawn_over(const Raster<float>& darkness, double ruling) {
   Histogram histogram(1024, 0, 1);
   for (const float d : darkness.data) histogram.add(d);
@@ -224,11 +225,11 @@ double drawn_over(const Raster<float>& darkness, double ruling) {
   return enough ? histogram.quantile(0.9, kDrawn * ruling, 1) : 0;
 }
 
-// Without the lines of ruled paper, but with half as dark ink as any that was drawn.
+// Above the lines of ruled paper, where something darker was drawn on it.
 Levels levels_on_ruling(const Raster<float>& darkness, const Levels& levels) {
   const Ruling ruling = ruling_of(darkness, levels.weak);
   if (ruling.usual == 0) return levels;
-  const double above = std::min(kOverRuling * ruling.most, 0.65 * drawn_over(darkness, ruling.usual));
+  const double above = std::min(kOverRuling * ruling.most, kOfDrawn * drawn_over(darkness, ruling.usual));
   if (above < ruling.usual) return levels;
   Levels higher = measure_levels(darkness, above, kFaintOfFull);
   higher.ruled = true;
