@@ -5,35 +5,29 @@
 #include <numbers>
 
 #include "base/at.h"
-#include "drawings.h"
 #include "ink/threshold.h"
 #include "inkgrid/inkgrid.h"
+#include "lit_pages.h"
 #include "same_ink.h"
-#include "spoiled_pictures.h"
 
 namespace inkgrid {
 namespace {
 
 using testing::blank;
-using testing::circle;
+using testing::drawn_page;
 using testing::expect_same_ink;
+using testing::in_light;
 using testing::ink_in;
+using testing::kPageHeight;
+using testing::kPageWidth;
+using testing::Light;
 using testing::paint;
-using testing::spoil;
 
-constexpr int kWidth = 420, kHeight = 320;  // px
-
-// A ring, a line that comes close to every edge, and a dot as wide as two pens.
 Image drawing(double grey = 50) {
-  Image image = blank(kWidth, kHeight, 240);
-  paint(image, circle({150, 150}, 90), 4, grey);
-  paint(image, {{20.5, 300}, {400, 30.5}}, 4, grey);
+  Image image = drawn_page(grey);
   paint(image, {{330, 220}, {380, 290}}, 4, grey);
-  paint(image, {{60, 60}, {60.5, 60}}, 8, grey);
   return image;
 }
-
-using Light = double (*)(double x, double y);
 
 // 1 left of the edge, `inside` right of it.
 double past(double distance, double inside, double blur) {
@@ -63,12 +57,6 @@ double a_stain(double x, double y) {
 // Two, through one of which no stroke runs.
 double finger_tips(double x, double y) {
   return past(34 - std::hypot(x - 350, y - 140), 0.6, 1) * past(60 - std::hypot(x - 100, y - 240), 0.6, 1);
-}
-
-Image in_light(Image image, Light light, double grain = 0) {
-  spoil(
-      image, [&](int x, int y) { return light(x + 0.5, y + 0.5); }, grain);
-  return image;
 }
 
 class Shades : public ::testing::TestWithParam<Light> {};
@@ -104,7 +92,7 @@ TEST(Shade, AGreyPatchThatNoStrokeRunsThroughIsInk) {
   const Binarisation plain = binarise(image, std::nullopt);
   paint(image, {{290, 50}, {291, 50}}, 70, 140);
   const Binarisation b = binarise(image, std::nullopt);
-  EXPECT_NEAR(static_cast<double>(ink_in(b, 0, 0, kWidth, kHeight) - ink_in(plain, 0, 0, kWidth, kHeight)),
+  EXPECT_NEAR(static_cast<double>(ink_in(b, 0, 0, kPageWidth, kPageHeight) - ink_in(plain, 0, 0, kPageWidth, kPageHeight)),
               std::numbers::pi * 35 * 35 + 70, 40);
 }
 
@@ -117,7 +105,7 @@ TEST(Shade, ToneUnderStrokesIsNoInk) {
 
 // A broad pen over ruled paper, on which the lines can be seen through the ink.
 TEST(Shade, FaintLinesThroughABroadStrokeDoNotMakeItPaper) {
-  Image image = blank(kWidth, kHeight, 240);
+  Image image = blank(kPageWidth, kPageHeight, 240);
   paint(image, {{80, 60}, {340, 260}}, 40, 60);
   const Light ruled = [](double, double y) { return std::fmod(y, 24.0) < 1 ? 0.85 : 1.0; };
   const long inside = ink_in(binarise(in_light(image, ruled), std::nullopt), 150, 120, 260, 205),
@@ -127,13 +115,14 @@ TEST(Shade, FaintLinesThroughABroadStrokeDoNotMakeItPaper) {
 
 TEST(Shade, TurningThePictureTurnsWhatIsFound) {
   const Image image = in_light(drawing(), a_hand);
-  Image turned = blank(kHeight, kWidth);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) turned.grey[at(x) * kHeight + at(kHeight - 1 - y)] = image.grey[at(y) * kWidth + at(x)];
+  Image turned = blank(kPageHeight, kPageWidth);
+  for (int y = 0; y < kPageHeight; ++y)
+    for (int x = 0; x < kPageWidth; ++x)
+      turned.grey[at(x) * kPageHeight + at(kPageHeight - 1 - y)] = image.grey[at(y) * kPageWidth + at(x)];
   const Binarisation a = binarise(image, std::nullopt), b = binarise(turned, std::nullopt);
   long n = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) n += a.ink(x, y) != b.ink(kHeight - 1 - y, x);
+  for (int y = 0; y < kPageHeight; ++y)
+    for (int x = 0; x < kPageWidth; ++x) n += a.ink(x, y) != b.ink(kPageHeight - 1 - y, x);
   EXPECT_LE(n, 8);
 }
 

@@ -23,7 +23,8 @@ struct Binarisation {
 
 // With a number (0..255): ink is exactly grey < threshold, nothing inverted or removed.  Without: copes with clean and
 // antialiased ink, pencil, cream, shaded and grainy paper, shadows, pure black-and-white, light lines on dark.  `enlargement`:
-// how many times the picture was enlarged each way, and specks with it.
+// how many times the picture was enlarged each way, and specks with it.  `faintest`: the part of full ink, 0..1, below which
+// nothing is ink where there is no threshold; without it 0.15, and above the lines of ruled paper.
 Binarisation binarise(const Image& image, std::optional<double> threshold, int enlargement = 1,
                       std::optional<double> faintest = std::nullopt);
 
