@@ -71,6 +71,9 @@ constexpr std::array kTable{
               "corners nearer than this share an integer"},
     OptionRow{"gap", &Options::gap, Stage::chains, "strokes", 0, 20, "",
               "paper over which two ends in line with each other are joined; 0: none"},
+    OptionRow{
+        "details", &Options::details, Stage::chains, "strokes", 0, 1000, "",
+        "where the grid is coarse, pieces of ink up to this length that stand alone have a finer one of their own; 0: none"},
     OptionRow{"coverage-bins", &Options::coverage_bins, Stage::chains, "", 1, 1000, "6.3",
               "parts of a chain that must all hold ink"},
     OptionRow{"tolerance", &Options::tolerance, Stage::fit, "strokes", 0.001, 10, "6.3",

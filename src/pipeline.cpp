@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/at.h"
+#include "base/parallel.h"
 #include "fit/fit_outlines.h"
 #include "graph/folds.h"
 #include "ink/enlarge.h"
@@ -13,6 +15,7 @@
 #include "ink/pen_strokes.h"
 #include "ink/preset.h"
 #include "options.h"
+#include "refine/details.h"
 #include "refine/ends.h"
 #include "refine/leftovers.h"
 #include "refine/refinement.h"
@@ -29,6 +32,7 @@ namespace {
 
 constexpr double kCornerSpan = 1.5;  // of the slimmed stroke: what the ridge rounds
 constexpr double kScoutMesh = 0.5;   // strokes
+constexpr double kCoarse = 1;        // strokes: a larger grid spacing does not resolve details of a pen
 constexpr double kSlit = 2;          // reaches, of the band from both sides: two strokes of one line leave no more between them
 
 // What a run leaves behind: all that its stages made, for pictures and for running again, or only what the next stages need.
@@ -169,10 +173,18 @@ Chains chain_on_ink(Stages& stages, Stopwatch& run, Keep keep) {
     chains = with_widths_on(std::move(chains), stages.ink, *options.reach, *options.spacing, options.threads);
     chains = attach_ends(std::move(chains), stages.ink, deep_ends(stages.ink.stroke_width));
   }
-  chains = mark_leftovers(std::move(chains), covered_ink(stages), std::max(1.0, *options.reach * stages.ink.stroke_width));
   if (options.bundles != BundleMode::join) return chains;
   return refine_bundles(std::move(chains), {stages.ink.width(), stages.ink.height(), stages.ink.stroke_width,
                                             stages.bundles.sketchiness, options.threads});
+}
+
+// Half the width of paper that the band bridges, px.
+double reach_of(const Stages& stages) {
+  return std::max(1.0, *stages.inputs.settled.reach * stages.ink.stroke_width);
+}
+
+Chains chains_with_marks(Stages& stages) {
+  return mark_leftovers(std::move(stages.plain), covered_ink(stages), reach_of(stages));
 }
 
 void run_to_chains(Stage first, Stages& stages, Stopwatch& run, Keep keep) {
@@ -231,7 +243,7 @@ Bundles scout_bundles(Stages& stages, const Control& control) {
   Stopwatch run(within, scout.report);
   run_to_map(Stage::field, scout, run, within, nullptr, Keep::result);
   run_to_chains(Stage::isolines, scout, run, Keep::result);
-  return find_bundles(scout.plain.chains, scout.ink, options.threads);
+  return find_bundles(chains_with_marks(scout).chains, scout.ink, options.threads);
 }
 
 void move_by(Vec2 shift, Stages& stages) {
@@ -245,6 +257,44 @@ void move_by(Vec2 shift, Stages& stages) {
   move(stages.plain.junctions);
 }
 
+// Of a piece of ink as a clean drawing of its own.
+Chains chains_of_detail(const Ink& piece, const Options& settled, const Control& control) {
+  Stages stages;
+  stages.ink = piece;
+  const PresetValues values = preset_values(Preset::clean, piece.stroke_width, piece.enlargement);
+  Options& options = stages.inputs.settled = settled;
+  options.reach = values.reach;
+  options.spacing = values.spacing;
+  options.bundles = BundleMode::keep;
+  options.threads = 1;
+  stages.slim = ground_of(stages, nullptr, slimming_of(stages.ink, values.spacing)).ink;
+  stages.mesh = band_of(stages, nullptr);
+  Stopwatch run(control, stages.report);
+  run_to_map(Stage::field, stages, run, control, nullptr, Keep::result);
+  run_to_chains(Stage::isolines, stages, run, Keep::result);
+  stages.plain = scaled(chains_with_marks(stages), 1.0 / kEnlargement);
+  move_by(piece.origin, stages);
+  return std::move(stages.plain);
+}
+
+bool is_coarse(const Stages& stages) {
+  return *stages.inputs.settled.spacing > kCoarse;
+}
+
+// Those of a coarse grid with those of its details.
+Chains chains_with_details(Stages& stages, const Control& control) {
+  const Options& options = stages.inputs.settled;
+  const Details details =
+      find_details(stages.ink, covered_ink(stages).mask, stages.plain.chains, reach_of(stages), options.details);
+  std::vector<Chains> solved(details.pieces.size());
+  Control quiet;
+  quiet.stop = control.stop;
+  for_ranges(options.threads, static_cast<int>(solved.size()), 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k) solved[at(k)] = chains_of_detail(details.pieces[at(k)], options, quiet);
+  });
+  return with_details(std::move(stages.plain), details, solved);
+}
+
 ScaleMask product(ScaleMask a, const ScaleMask& b) {
   std::transform(a.factor.begin(), a.factor.end(), b.factor.begin(), a.factor.begin(), std::multiplies<float>());
   return a;
@@ -252,6 +302,10 @@ ScaleMask product(ScaleMask a, const ScaleMask& b) {
 
 bool asks_for_detail(const ScaleMask& mask) {
   return std::any_of(mask.factor.begin(), mask.factor.end(), [](float factor) { return factor < 1; });
+}
+
+bool asks_for_less(const ScaleMask& mask) {
+  return std::any_of(mask.factor.begin(), mask.factor.end(), [](float factor) { return factor > 1; });
 }
 
 // As many rounds of re-weighting as around the window, so that the fields agree where they meet.
@@ -276,6 +330,8 @@ Window solve_window(const Stages& around, const JoinedInk* ground, const ScaleMa
   Stopwatch run(quiet, stages.report);
   run_to_map(Stage::field, stages, run, quiet, &window.known, Keep::stages);
   run_to_chains(Stage::isolines, stages, run, Keep::stages);
+  if (is_coarse(stages) && !asks_for_less(mask)) stages.plain = chains_with_details(stages, control);
+  stages.plain = chains_with_marks(stages);
   move_by(stages.ink.origin, stages);
   stages.ink = {};
   stages.slim = {};
@@ -340,6 +396,10 @@ void run_from(Stage first, Stages& stages, const FittedBefore& before, Stopwatch
   release(keep, stages.ink.depth, stages.slim.depth, stages.bundle_scale);
   run_to_map(first, stages, run, control, nullptr, keep);
   run_to_chains(first, stages, run, keep);
+  if (first <= Stage::chains) {
+    if (is_coarse(stages)) stages.plain = run("details", 0.96, [&] { return chains_with_details(stages, control); });
+    stages.plain = run("leftovers", 0.965, [&] { return chains_with_marks(stages); });
+  }
   if (first <= Stage::scribbles)
     stages.chains = run("scribbles", 0.97, [&] {
       Chains chains = reach_fills(with_scribbles(stages, control), stages.fills, 1.5 * stages.ink.stroke_width);

@@ -23,6 +23,8 @@ struct Options {
   std::optional<double> spacing;    // lambda, strokes; unset: from the preset (section 6.2)
   std::optional<double> gap;        // of paper between ends in line, strokes; unset: from the stroke width
 
+  double details = 20;  // strokes: pieces of ink up to this length that stand alone are as in a clean drawing; 0: none
+
   FillMode fills = FillMode::layer;
   BundleMode bundles = BundleMode::automatic;
 

@@ -6,19 +6,11 @@
 
 #include <vector>
 
+#include "base/pixel_box.h"
 #include "ink/ink.h"
 #include "inkgrid/image.h"
 
 namespace inkgrid {
-
-// Pixels x0 .. x1 - 1, y0 .. y1 - 1.
-struct PixelBox {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  friend bool operator==(const PixelBox&, const PixelBox&) = default;
-};
 
 // One connected part.
 struct TouchedPart {

@@ -7,23 +7,10 @@ namespace {
 
 constexpr int kMargin = 8;  // px around what is reached, where the blurred ink is read
 
-PixelBox with_margin(const PixelBox& box, int width, int height) {
-  return {std::max(0, box.x0 - kMargin), std::max(0, box.y0 - kMargin), std::min(width, box.x1 + kMargin),
-          std::min(height, box.y1 + kMargin)};
-}
-
-template <class T>
-Raster<T> cropped(const Raster<T>& whole, const PixelBox& box) {
-  Raster<T> part(box.width(), box.height());
-  for (int y = 0; y < part.height; ++y)
-    std::copy_n(&whole.data[whole.index(box.x0, box.y0 + y)], part.width, &part.data[part.index(0, y)]);
-  return part;
-}
-
 }  // namespace
 
 Ink window_of(const Ink& ink, const TouchedPart& part) {
-  const PixelBox box = with_margin(part.box, ink.width(), ink.height());
+  const PixelBox box = with_margin(part.box, kMargin, ink.width(), ink.height());
   Ink window;
   window.mask = cropped(ink.mask, box);
   window.darkness = cropped(ink.darkness, box);
@@ -48,7 +35,7 @@ Ink window_of(const Ink& ink, const TouchedPart& part) {
 }
 
 ScaleMask window_of(const ScaleMask& mask, const TouchedPart& part) {
-  const PixelBox box = with_margin(part.box, mask.width, mask.height);
+  const PixelBox box = with_margin(part.box, kMargin, mask.width, mask.height);
   ScaleMask window{box.width(), box.height(), {}};
   for (int y = box.y0; y < box.y1; ++y) {
     const auto row = mask.factor.begin() + static_cast<std::ptrdiff_t>(y) * mask.width;

@@ -13,7 +13,7 @@ from support import PROGRAM, SVG, CommandTest, blank, cross, fur, lattice, on_ru
 TABLE = {
     'preset': 'auto', 'threshold': 'auto', 'faintest': 'auto', 'soften': 'auto', 'fills': 'layer', 'bundles': 'auto', 'reach': 'auto', 'spacing': 'auto', 'tolerance': 0.12, 'mesh-size': 0.25,
     'degenerate-angle': 30, 'degenerate-ratio': 0.1, 'degenerate-fraction': 0.01, 'field-rounds': 100, 'label-length': 4,
-    'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'gap': 'auto', 'coverage-bins': 4, 'threads': 0,
+    'label-ratio': 0.48, 'snap': 25, 'snap-sigma': 0.1, 'damping': 0.0001, 'merge-difference': 0.5, 'gap': 'auto', 'details': 20, 'coverage-bins': 4, 'threads': 0,
 }
 
 FORMAT_OPTIONS = {'unit': 'auto', 'resolution': 'auto', 'stroke-width': 'measured', 'dxf-curves': 'polylines', 'flatness': 0.05,
