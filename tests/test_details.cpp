@@ -63,6 +63,13 @@ TEST(Details, LongerOnesWereNotDrawnOver) {
   EXPECT_TRUE(find_details(ink, drawn_ink({circle({100, 100}, 45)}, kPen + 10, 200).mask, {}, kReach, 20).pieces.empty());
 }
 
+// As with a threshold that is not that of the darkness.
+TEST(Details, AsDarkAsThePaperAreNone) {
+  Ink ink = drawn_ink({kRing, kLine}, kPen, 200);
+  std::fill(ink.darkness.data.begin(), ink.darkness.data.end(), 0.0f);
+  EXPECT_TRUE(find_details(ink, ink.mask, {}, kReach, 20).pieces.empty());
+}
+
 TEST(Details, AreEnlargedInTheirPlace) {
   const Details found = details_of({kRing, kLine}, {chain_of(kLine)});
   ASSERT_EQ(found.pieces.size(), 1u);
@@ -82,8 +89,9 @@ TEST(Details, AreEnlargedInTheirPlace) {
 TEST(Details, TakeThePlaceOfTheChainsAroundThem) {
   const Line dash{{50, 54}, {50, 64}};
   const Details found = details_of({kRing, kLine}, {chain_of(dash), chain_of(kLine)});
-  Chains coarse{{{20, 150}}, {chain_of(dash), chain_of(kLine)}}, fine{{{70, 60}}, {chain_of(kRing)}};
-  coarse.chains[1].start_junction = 0;
+  Chains coarse{{{50, 54}, {20, 150}}, {chain_of(dash), chain_of(kLine)}}, fine{{{70, 60}}, {chain_of(kRing)}};
+  coarse.chains[0].start_junction = 0;
+  coarse.chains[1].start_junction = 1;
   fine.chains[0].start_junction = fine.chains[0].end_junction = 0;
   const Chains all = with_details(coarse, found, {fine});
   ASSERT_EQ(all.chains.size(), 2u);

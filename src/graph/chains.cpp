@@ -175,6 +175,14 @@ void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept) {
   chains.junctions = std::move(junctions);
 }
 
+void drop_unused_junctions(Chains& chains) {
+  std::vector<std::uint8_t> used(chains.junctions.size());
+  for (const Chain& chain : chains.chains)
+    for (const int junction : {chain.start_junction, chain.end_junction})
+      if (junction >= 0) used[at(junction)] = 1;
+  keep_junctions(chains, used);
+}
+
 double ink_coverage(const Chain& chain, const Ink& ink) {
   double on = 0;
   for (const Vec2 p : chain.points) on += nearest(ink.mask, p, std::uint8_t{0});

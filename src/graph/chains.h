@@ -51,6 +51,9 @@ void keep_chains(Chains& chains, const std::vector<std::uint8_t>& kept);
 // Only these junctions, per junction; ends at the others become free.
 void keep_junctions(Chains& chains, const std::vector<std::uint8_t>& kept);
 
+// Those in which no chain starts or ends.
+void drop_unused_junctions(Chains& chains);
+
 // The share of the chain's points that lie on ink.
 double ink_coverage(const Chain& chain, const Ink& ink);
 

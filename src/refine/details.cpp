@@ -159,6 +159,7 @@ Details find_details(const Ink& ink, const Raster<std::uint8_t>& joined, const s
     if (length < kDot || length > size) continue;
     const PixelBox around = with_margin(box, kMargin, ink.width(), ink.height());
     Ink piece = measure_ink(enlarged(cut_out(ink, runs, around)), kEnlargement * ink.enlargement);
+    if (piece.pixels == 0) continue;  // as dark as the paper around it
     if (missed_share(ink, runs, around, chained, kFar * piece.stroke_width / kEnlargement) < kMissed) continue;
     if (length > kSmall && (is_bundled(ink, joined, runs) || !looks_clean(piece))) continue;
     piece.origin = Vec2{static_cast<double>(around.x0), static_cast<double>(around.y0)};
@@ -175,6 +176,7 @@ Chains with_details(Chains chains, const Details& details, const std::vector<Cha
   std::vector<std::uint8_t> kept;
   for (const Chain& chain : chains.chains) kept.push_back(!lies_on(details.around, chain));
   keep_chains(chains, kept);
+  drop_unused_junctions(chains);
   for (const Chains& detail : solved) append(chains, detail);
   return chains;
 }

@@ -340,7 +340,7 @@ class Assembly {
       for (const Step& step : way.steps) used[at(step.piece)] = 1;
       result_.chains.push_back(joined(way));
     }
-    drop_unused_junctions();
+    drop_unused_junctions(result_);
     return std::move(result_);
   }
 
@@ -420,14 +420,6 @@ class Assembly {
     chain.start_junction = end_of(way.steps.front(), false).junction;
     chain.end_junction = end_of(way.steps.back(), true).junction;
     return chain;
-  }
-
-  void drop_unused_junctions() {
-    std::vector<std::uint8_t> used(result_.junctions.size(), 0);
-    for (const Chain& chain : result_.chains)
-      for (const int j : {chain.start_junction, chain.end_junction})
-        if (j >= 0) used[at(j)] = 1;
-    keep_junctions(result_, used);
   }
 
   std::vector<Kept> pieces_;
